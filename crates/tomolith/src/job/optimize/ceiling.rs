@@ -173,16 +173,15 @@ fn find_on(
     let begin = Instant::now();
     let work = &work.aside();
     let stage = Stage::new(job, voxels, level, None, &mut Silent, work)?;
-    let mut x = stage.start(job, bounding_start(job), work)?;
+    let mut x = stage.start(bounding_start(job), work)?;
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
-    let of_start = stage.limits(job, &x);
+    let of_start = stage.limits(&x);
     let even_dose = stage.even_dose(&x, work)?;
-    stage.improve_within(job, (&mut x, &of_start), level.until, work)?;
+    stage.improve_within(&mut x, &of_start, level.until, work)?;
     let search = Search {
         stage: &stage,
-        job,
         of_start: &of_start,
         work,
     };
@@ -285,7 +284,6 @@ struct Tried {
 /// What ceilings are tried with.
 struct Search<'a> {
     stage: &'a Stage<'a>,
-    job: &'a ResolvedJob,
     of_start: &'a [Limits],
     work: &'a Work,
 }
@@ -345,9 +343,9 @@ impl Search<'_> {
         let each = stage.level.until.div_ceil(3).min(EACH);
         let mut own = x.clone();
         clip(&mut own, stage.model.patterns(), &limits)?;
-        stage.improve_within(self.job, (&mut own, &limits), each, work)?;
+        stage.improve_within(&mut own, &limits, each, work)?;
         let qualities = stage.qualities(&own, true, work)?;
-        let is_good = are_good(self.job, FACTOR, (&tried.points[0].qualities, &qualities));
+        let is_good = are_good(stage.job, FACTOR, (&tried.points[0].qualities, &qualities));
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
             tried.good = Some(tried.points.len() - 1);
@@ -394,13 +392,13 @@ impl Stage<'_> {
     /// Some iterations within these limits, which nobody watches.
     pub(crate) fn improve_within(
         &self,
-        job: &ResolvedJob,
-        (x, limits): (&mut HostField, &[Limits]),
+        x: &mut HostField,
+        limits: &[Limits],
         iterations: usize,
         work: &Work,
     ) -> Result<()> {
-        let model = self.model.as_ref();
-        let objective = self.objective(job, 0)?;
+        let (job, model) = (self.job, self.model.as_ref());
+        let objective = self.objective(0)?;
         let problem = Problem::new(model, &objective, limits, work)?;
         let penalties = job.method.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
@@ -420,15 +418,15 @@ impl Stage<'_> {
     /// What a search ended with, and that it has a lower loss than the start `x`; else the start.
     pub(crate) fn closer(
         &self,
-        job: &ResolvedJob,
-        (x, bounds): (HostField, &[Limits]),
+        x: HostField,
+        bounds: &[Limits],
         found: Vec<Patterns>,
         work: &Work,
     ) -> Result<(HostField, bool)> {
-        let found = Given(job.own_patterns(self.level, found));
-        let mut found = self.start(job, &found, work)?;
+        let found = Given(self.job.own_patterns(self.level, found));
+        let mut found = self.start(&found, work)?;
         clip(&mut found, self.model.patterns(), bounds)?;
-        let objective = self.objective(job, 0)?;
+        let objective = self.objective(0)?;
         let mut dose = self.model.new_dose()?;
         let mut loss = |x: &HostField| -> Result<f64> {
             self.model.dose(x, &mut dose, work)?;

@@ -107,10 +107,10 @@ pub(crate) fn keep(
     if !resolved.is_first() {
         return Ok(());
     }
-    let work = Work::with_patience(PATIENCE);
+    let writing = Work::with_patience(PATIENCE);
     if work.is_stop_asked() {
-        work.set_patient(true);
-        work.cancel();
+        writing.set_patient(true);
+        writing.cancel();
     }
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     let path = folder.join(KEPT);
@@ -123,7 +123,7 @@ pub(crate) fn keep(
             raw: None,
         })
         .collect();
-    let written = match write_patterns(&path, &pairs, &work) {
+    let written = match write_patterns(&path, &pairs, &writing) {
         Err(Error::Canceled) => false,
         written => written.map(|()| true)?,
     };

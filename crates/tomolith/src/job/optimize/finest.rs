@@ -9,12 +9,11 @@
 //! twentieth is tolerated.
 
 use super::ceiling::{FoundCeiling, are_good};
-use super::stage::{SoFar, Stage};
+use super::stage::{Around, SoFar, Stage};
 use super::start::clip;
 use crate::error::Result;
 use crate::field::HostField;
 use crate::job::progress::Progress;
-use crate::job::resolve::ResolvedJob;
 use crate::models::Work;
 use crate::optimize::{Limits, Outcome, StopReason};
 use crate::report::{CeilingQuality, FinestTrial};
@@ -40,7 +39,6 @@ pub(crate) struct Ended<'a> {
 /// Goes on from the ceiling that was found to a better one, if there is one on this level; what the optimization came to then.
 pub(crate) fn settle(
     stage: &Stage<'_>,
-    job: &ResolvedJob,
     ended: Ended<'_>,
     found: &mut FoundCeiling,
     sofar: &mut SoFar,
@@ -49,13 +47,12 @@ pub(crate) fn settle(
 ) -> Result<Outcome> {
     let begin = Instant::now();
     let has_slack = excess(ended.x, stage, ended.bounds, LOWER) < SLACK;
-    if has_slack && !found.may_become(LOWER, job) {
+    if has_slack && !found.may_become(LOWER, stage.job) {
         return Ok(ended.outcome);
     }
     let qualities = stage.qualities(ended.x, false, work)?;
     let mut go_on = GoOn {
         stage,
-        job,
         sofar,
         progress,
         work,
@@ -97,7 +94,6 @@ fn scaled(bounds: &[Limits], highest: &[Limits], factor: f64) -> Vec<Limits> {
 /// What further iterations are done with.
 struct GoOn<'a, 's> {
     stage: &'a Stage<'s>,
-    job: &'a ResolvedJob,
     sofar: &'a mut SoFar,
     progress: &'a mut dyn Progress,
     work: &'a Work,
@@ -110,13 +106,20 @@ impl GoOn<'_, '_> {
         let until = after.history.last().map_or(0, |row| row.iteration) + EACH;
         self.sofar.rows.clone_from(&after.history);
         self.sofar.counters = after.counters;
-        let asked = (self.job, 0, until);
-        let Self { stage, sofar, .. } = self;
-        stage.run(asked, (x, bounds), None, sofar, self.progress, self.work)
+        let around = Around {
+            until,
+            wider: 0,
+            bounds,
+            checkpoints: None,
+            sofar: self.sofar,
+            progress: self.progress,
+            work: self.work,
+        };
+        self.stage.run(x, around)
     }
 
     fn is_as_good(&self, own: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
-        are_good(self.job, 1, (other, own))
+        are_good(self.stage.job, 1, (other, own))
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.
@@ -156,8 +159,8 @@ impl GoOn<'_, '_> {
         let lowest = ended.bounds.to_vec();
         let mut x = ended.x.clone();
         let limits = scaled(&lowest, ended.highest, 2.0);
-        let (stage, job) = (self.stage, self.job);
-        stage.improve_within(job, (&mut x, &limits), TRY, self.work)?;
+        let stage = self.stage;
+        stage.improve_within(&mut x, &limits, TRY, self.work)?;
         let mut trial = FinestTrial {
             tried: 2.0,
             after: stage.qualities(&x, false, self.work)?,

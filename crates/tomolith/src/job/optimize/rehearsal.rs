@@ -1,7 +1,7 @@
 //! The begin of an optimization, for `check`: what a run refuses before its first iteration, `check` refuses with the same words. Where there is time, the first
 //! iterations are timed: they hold all that a job does in an iteration.
 
-use super::stage::{SoFar, Stage};
+use super::stage::{Around, SoFar, Stage};
 use crate::error::{Error, Result};
 use crate::job::dose::cache::RunCache;
 use crate::job::progress::Silent;
@@ -96,11 +96,19 @@ fn pace(
     let stage = Stage::new(job, voxels, &level, None, silent, work)?;
     let given = job.own_start(&level)?;
     let parts = (&mut RunCache::default(), None);
-    let first = stage.first_patterns(job, given.as_ref(), true, parts, work)?;
+    let first = stage.first_patterns(given.as_ref(), true, parts, work)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let (begin, sofar) = (Instant::now(), &mut SoFar::default());
-    let bounded = (&mut x, bounds.as_slice());
-    let ran = stage.run((job, 0, iterations), bounded, None, sofar, silent, work)?;
+    let around = Around {
+        until: iterations,
+        wider: 0,
+        bounds: &bounds,
+        checkpoints: None,
+        sofar,
+        progress: silent,
+        work,
+    };
+    let ran = stage.run(&mut x, around)?;
     work.check()?;
     // What begins them takes as long as another one
     let done = ran.history.last().map_or(0, |row| row.iteration) + 1;

@@ -5,7 +5,7 @@
 
 use super::ceiling::{self, FoundCeiling};
 use super::checkpoint::{begin_anew, keep, lost};
-use super::stage::{EndOfLevel, SoFar, Stage};
+use super::stage::{Around, EndOfLevel, SoFar, Stage};
 use super::{Optimized, finest, start, warnings_at_end};
 use crate::error::{Error, Result};
 use crate::field::HostField;
@@ -88,7 +88,7 @@ impl<'a> Search<'a> {
     {
         let (job, cached) = (self.job, self.cached.take());
         let stage = Stage::new(job, self.voxels, share, cached, self.progress, self.work);
-        let stage = job.agreed(stage)?.shared(job);
+        let stage = job.agreed(stage)?.shared();
         if i == 0 {
             let text = stage.reason.clone();
             self.progress.event(&Event::Note { text });
@@ -110,7 +110,7 @@ impl<'a> Search<'a> {
         let (job, work) = (self.job, self.work);
         let given = job.own_start(level)?;
         let cached = (&mut *self.cache, self.key);
-        let first = stage.first_patterns(job, given.as_ref(), !self.is_resumed, cached, work)?;
+        let first = stage.first_patterns(given.as_ref(), !self.is_resumed, cached, work)?;
         self.sofar.first_loss = first.loss;
         self.highest.clone_from(&first.bounds);
         self.bounds = first.bounds;
@@ -123,7 +123,7 @@ impl<'a> Search<'a> {
         let found = found.filter(|_| i == 0 && !self.is_resumed);
         if let Some(found) = found.and_then(FoundCeiling::take_patterns) {
             let is_closer;
-            (x, is_closer) = stage.closer(job, (x, &self.bounds), found, work)?;
+            (x, is_closer) = stage.closer(x, &self.bounds, found, work)?;
             if is_closer {
                 self.sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
             }
@@ -144,7 +144,7 @@ impl<'a> Search<'a> {
             (None, None) => stage.model.new_patterns(),
             (Some(raw), _) => {
                 let given = Given(self.job.own_patterns(level, raw));
-                let mut x = stage.start(self.job, &given, self.work)?;
+                let mut x = stage.start(&given, self.work)?;
                 start::clip(&mut x, stage.model.patterns(), &self.bounds)?;
                 Ok(x)
             }
@@ -164,14 +164,16 @@ impl<'a> Search<'a> {
         if let Some(shares) = job.shares(level, stage.model.patterns()) {
             self.checkpoints.share(shares);
         }
-        let outcome = stage.run_and_widen(
-            job,
-            (x, &self.bounds),
-            &mut self.checkpoints,
-            &mut self.sofar,
-            self.progress,
+        let around = Around {
+            until: level.until,
+            wider: 0,
+            bounds: &self.bounds,
+            checkpoints: Some(&mut self.checkpoints),
+            sofar: &mut self.sofar,
+            progress: self.progress,
             work,
-        )?;
+        };
+        let outcome = stage.run_and_widen(x, around)?;
         let is_done = i + 1 == job.levels.len() && outcome.reason != StopReason::Canceled;
         let Some(found) = (self.ceiling.as_mut()).filter(|found| is_done && found.is_lower())
         else {
@@ -183,15 +185,7 @@ impl<'a> Search<'a> {
             highest: &self.highest,
             outcome,
         };
-        finest::settle(
-            stage,
-            job,
-            ended,
-            found,
-            &mut self.sofar,
-            self.progress,
-            work,
-        )
+        finest::settle(stage, ended, found, &mut self.sofar, self.progress, work)
     }
 
     /// Hands the patterns of a level to the next.
@@ -216,8 +210,7 @@ impl<'a> Search<'a> {
             Err(error) => Err(error),
             Ok(None) => Err(Error::Canceled),
             Ok(Some(outcome)) => {
-                let limited = (x, self.bounds.as_slice());
-                let end = stage.end(job, &outcome, limited, &raw, self.progress, work);
+                let end = stage.end(&outcome, x, &raw, &self.bounds, self.progress, work);
                 end.map(|end| (outcome, end))
             }
         };

@@ -59,16 +59,22 @@ pub(crate) struct EndOfLevel {
     pub(crate) window: Option<FoundWindow>,
 }
 
-/// What a run on a level needs besides the problem: bounds, checkpoints, the work of earlier levels, and the observer.
-type Around<'a, 'p> = (
-    &'a [Limits],
-    Option<&'a mut Checkpoints>,
-    &'a mut SoFar,
-    &'a mut (dyn Progress + 'p),
-);
+/// What the iterations on a level need besides patterns.
+pub(crate) struct Around<'a> {
+    /// The iteration to end after, counted from the first of all levels.
+    pub(crate) until: usize,
+    /// By how many steps the thresholds lie further apart than those of the job.
+    pub(crate) wider: usize,
+    pub(crate) bounds: &'a [Limits],
+    pub(crate) checkpoints: Option<&'a mut Checkpoints>,
+    pub(crate) sofar: &'a mut SoFar,
+    pub(crate) progress: &'a mut dyn Progress,
+    pub(crate) work: &'a Work,
+}
 
 /// One level, ready to be optimized.
 pub(crate) struct Stage<'a> {
+    pub(crate) job: &'a ResolvedJob,
     pub(crate) level: &'a Level,
     /// Of every species.
     pub(crate) voxels: Cow<'a, [Voxels]>,
@@ -84,10 +90,22 @@ pub(crate) struct Stage<'a> {
     pub(crate) found: Option<FoundResponse>,
 }
 
+impl Around<'_> {
+    /// The same for some further iterations.
+    fn again(&mut self) -> Around<'_> {
+        Around {
+            checkpoints: self.checkpoints.as_deref_mut(),
+            sofar: self.sofar,
+            progress: self.progress,
+            ..*self
+        }
+    }
+}
+
 impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
     pub(crate) fn new(
-        job: &ResolvedJob,
+        job: &'a ResolvedJob,
         voxels: &'a [Voxels],
         level: &'a Level,
         evaluation_model: Option<EvaluationModel>,
@@ -101,6 +119,7 @@ impl<'a> Stage<'a> {
         };
         if let Some(EvaluationModel { model, reason, .. }) = evaluation_model {
             return Ok(Stage {
+                job,
                 level,
                 voxels,
                 model,
@@ -131,6 +150,7 @@ impl<'a> Stage<'a> {
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
         let (model, nominal) = joined(job, model, &dark, level, work)?;
         Ok(Stage {
+            job,
             level,
             voxels,
             model,
@@ -143,8 +163,8 @@ impl<'a> Stage<'a> {
     }
 
     /// The stage with the dose of the frames of all ranks, where the job's frames are shared. Called by all ranks.
-    pub(crate) fn shared(mut self, job: &ResolvedJob) -> Self {
-        let Some(ranks) = &job.ranks else {
+    pub(crate) fn shared(mut self) -> Self {
+        let Some(ranks) = &self.job.ranks else {
             return self;
         };
         let of_all = |model| Sharded::new(model, Arc::clone(ranks));
@@ -159,15 +179,10 @@ impl<'a> Stage<'a> {
         self
     }
 
-    pub(crate) fn start(
-        &self,
-        job: &ResolvedJob,
-        start: &dyn InitialPatterns,
-        work: &Work,
-    ) -> Result<HostField> {
+    pub(crate) fn start(&self, start: &dyn InitialPatterns, work: &Work) -> Result<HostField> {
         let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
         let models = (own, self.straight.as_deref());
-        let mut x = starting_patterns(job, &self.voxels, models, start, work)?;
+        let mut x = starting_patterns(self.job, &self.voxels, models, start, work)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
@@ -175,30 +190,30 @@ impl<'a> Stage<'a> {
     /// What follows the last iteration: the response that was found, few levels, heights, and the process window. `raw` are the patterns in `x`.
     pub(crate) fn end(
         &mut self,
-        job: &ResolvedJob,
         outcome: &Outcome,
-        (x, bounds): (&HostField, &[Limits]),
+        x: &HostField,
         raw: &[Patterns],
+        bounds: &[Limits],
         progress: &mut dyn Progress,
         work: &Work,
     ) -> Result<EndOfLevel> {
-        if let Some(free) = &job.method.free {
+        if let Some(free) = &self.job.method.free {
             self.found = free.found(&outcome.response)?;
         }
         let begin = Instant::now();
-        let levels = self.improve(job, x, bounds, progress, work)?;
-        let levelled = self.levelled(job, raw, progress, work)?;
+        let levels = self.improve(x, bounds, progress, work)?;
+        let levelled = self.levelled(raw, progress, work)?;
         Ok(EndOfLevel {
             levels,
             levelled,
             seconds: begin.elapsed().as_secs_f64(),
-            window: self.window(job, x, work)?,
+            window: self.window(x, work)?,
         })
     }
 
     /// The loss of all species, with the response that was found; with thresholds that lie so many steps further apart than those of the job.
-    pub(crate) fn objective(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
-        self.responding(self.objective_of_job(job, wider)?)
+    pub(crate) fn objective(&self, wider: usize) -> Result<Sum<HostField>> {
+        self.responding(self.objective_of_job(wider)?)
     }
 
     /// The same loss with the response that was found.
@@ -209,8 +224,8 @@ impl<'a> Stage<'a> {
         Ok(sum)
     }
 
-    fn objective_of_job(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
-        let outputs = self.model.outputs();
+    fn objective_of_job(&self, wider: usize) -> Result<Sum<HostField>> {
+        let (job, outputs) = (self.job, self.model.outputs());
         let of = |own: &Species, layout: &DoseLayout, voxels: &Voxels| {
             let goal = goal_of(own, wider);
             job.objective(own, goal.on_host(), layout, voxels)
@@ -232,19 +247,18 @@ impl<'a> Stage<'a> {
         Sum::new(vec![(1.0, Box::new(joined))])
     }
 
-    pub(crate) fn limits(&self, job: &ResolvedJob, start: &HostField) -> Vec<Limits> {
-        let (model, normalizes) = (self.model.as_ref(), job.method.normalizes);
-        limits(job, model, start, normalizes)
+    pub(crate) fn limits(&self, start: &HostField) -> Vec<Limits> {
+        limits(self.job, self.model.as_ref(), start)
     }
 
     /// The process window of patterns, where an objective looks for it.
-    fn window(&self, job: &ResolvedJob, x: &HostField, work: &Work) -> Result<Option<FoundWindow>> {
-        if !job.species.iter().any(|own| own.goal.seeks_window()) {
+    fn window(&self, x: &HostField, work: &Work) -> Result<Option<FoundWindow>> {
+        if !self.job.species.iter().any(|own| own.goal.seeks_window()) {
             return Ok(None);
         }
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, &work.aside())?;
-        Ok(self.objective(job, 0)?.window(&dose))
+        Ok(self.objective(0)?.window(&dose))
     }
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
@@ -256,11 +270,11 @@ impl<'a> Stage<'a> {
     /// The patterns with rows rescaled so that all heights are done at once; None where the job does not ask for it.
     fn levelled(
         &self,
-        job: &ResolvedJob,
         raw: &[Patterns],
         progress: &mut dyn Progress,
         work: &Work,
     ) -> Result<Option<Vec<Patterns>>> {
+        let job = self.job;
         let asked = job.schedule().is_some_and(|own| own.level_heights);
         if !asked {
             return Ok(None);
@@ -272,14 +286,13 @@ impl<'a> Stage<'a> {
     /// The patterns on few levels of the machine, where the job has few.
     fn improve(
         &self,
-        job: &ResolvedJob,
         x: &HostField,
         bounds: &[Limits],
         progress: &mut dyn Progress,
         work: &Work,
     ) -> Result<Option<Levelled>> {
-        let model = self.model.as_ref();
-        let objective = self.objective(job, 0)?;
+        let (job, model) = (self.job, self.model.as_ref());
+        let objective = self.objective(0)?;
         let mut problem = Problem::new(model, &objective, bounds, work)?
             .with_penalties(job.method.penalties(model.patterns())?);
         gray_levels::improve(job, &mut problem, x, progress)
@@ -288,82 +301,80 @@ impl<'a> Stage<'a> {
     /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
     pub(crate) fn run_and_widen(
         &self,
-        job: &ResolvedJob,
-        (x, bounds): (&mut HostField, &[Limits]),
-        checkpoints: &mut Checkpoints,
-        sofar: &mut SoFar,
-        progress: &mut dyn Progress,
-        work: &Work,
+        x: &mut HostField,
+        mut around: Around<'_>,
     ) -> Result<Outcome> {
-        let until = self.level.until;
-        let own = (job, 0, until);
-        let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, work)?;
+        let until = around.until;
+        let mut outcome = self.run(x, around.again())?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
             if outcome.reason != StopReason::ZeroLoss || at >= until {
                 break;
             }
             let is_wider = |own: &Species| refinement::widened(&own.goal, steps).is_some();
-            if !job.species.iter().any(is_wider) {
+            if !self.job.species.iter().any(is_wider) {
                 break;
             }
-            progress.event(&Event::Note {
+            around.progress.event(&Event::Note {
                 text: format!("every voxel is within its thresholds after iteration {at}: from now on the void's threshold is {}", concise(refinement::lower_after(steps))),
             });
-            sofar.rows = outcome.history;
-            sofar.counters = outcome.counters;
-            sofar.wider = steps;
-            let own = (job, steps, until);
-            outcome = self.run(own, (x, bounds), None, sofar, progress, work)?;
+            around.sofar.rows = outcome.history;
+            around.sofar.counters = outcome.counters;
+            around.sofar.wider = steps;
+            around.wider = steps;
+            around.checkpoints = None;
+            outcome = self.run(x, around.again())?;
         }
         Ok(outcome)
     }
 
     /// Runs the optimizer on this level up to an iteration, after those before; on a graphics card where the job has one and the model a form for it.
-    pub(crate) fn run(
-        &self,
-        (job, wider, until): (&ResolvedJob, usize, usize),
-        (x, bounds): (&mut HostField, &[Limits]),
-        checkpoints: Option<&mut Checkpoints>,
-        sofar: &mut SoFar,
-        progress: &mut dyn Progress,
-        work: &Work,
-    ) -> Result<Outcome> {
-        let around = (bounds, checkpoints, sofar, progress);
+    pub(crate) fn run(&self, x: &mut HostField, around: Around<'_>) -> Result<Outcome> {
+        let (job, wider) = (self.job, around.wider);
         #[cfg(feature = "gpu")]
         if let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) {
             let goal = goal_of(job.first(), wider).on::<GpuField>()?;
-            let model = model_on(card.gpu(), &form, work)?;
+            let model = model_on(card.gpu(), &form, around.work)?;
             let layout = &self.model.outputs()[0];
             let loss = job.objective(job.first(), &goal, layout, &self.voxels[0])?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let method = job.method.optimizer()?;
-            let on_card = (model.as_ref(), self.responding(loss)?, method);
-            let ran = self.run_on((job, until), on_card, &mut there, around, work);
+            let loss = self.responding(loss)?;
+            let ran = self.run_on(
+                model.as_ref(),
+                loss,
+                job.method.optimizer()?,
+                &mut there,
+                around,
+            );
             let found = there.to_host();
             there.gpu().check()?;
             x.copy_from_host(&found);
             return ran;
         }
-        let objective = self.objective(job, wider)?;
-        let on_host = (self.model.as_ref() as _, objective, job.method.optimizer()?);
-        self.run_on((job, until), on_host, x, around, work)
+        let (model, loss) = (self.model.as_ref(), self.objective(wider)?);
+        self.run_on(model, loss, job.method.optimizer()?, x, around)
     }
 
     /// Runs with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
-        (job, until): (&ResolvedJob, usize),
-        (model, objective, mut optimizer): (
-            &dyn DoseModel<Field = F>,
-            Sum<F>,
-            Box<dyn Optimizer<F>>,
-        ),
+        model: &dyn DoseModel<Field = F>,
+        objective: Sum<F>,
+        mut optimizer: Box<dyn Optimizer<F>>,
         x: &mut F,
-        (bounds, checkpoints, sofar, progress): Around<'_, '_>,
-        work: &Work,
+        around: Around<'_>,
     ) -> Result<Outcome> {
+        let job = self.job;
+        let Around {
+            until,
+            bounds,
+            checkpoints,
+            sofar,
+            progress,
+            work,
+            ..
+        } = around;
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
         let stop = job.stop();

@@ -137,7 +137,6 @@ pub(crate) fn limits(
     job: &ResolvedJob,
     model: &dyn DoseModel<Field = HostField>,
     start: &HostField,
-    normalizes: bool,
 ) -> Vec<Limits> {
     let quantity = model.quantity();
     let of_all = start.max_abs();
@@ -157,7 +156,7 @@ pub(crate) fn limits(
         };
         let largest = f64::from(quantity.energy(largest));
         let (min, max) = job.bounds_of(light);
-        let natural = if largest > min && !normalizes {
+        let natural = if largest > min && !job.method.normalizes {
             largest
         } else {
             f64::INFINITY
@@ -183,27 +182,27 @@ impl Stage<'_> {
     /// several files the best, `brightens`: scaled to suit the objective.
     pub(crate) fn first_patterns(
         &self,
-        job: &ResolvedJob,
         given: Option<&Given>,
         brightens: bool,
         (cache, model): (&mut RunCache, Option<u64>),
         work: &Work,
     ) -> Result<FirstPatterns> {
+        let job = self.job;
         let of_job = job.method.start.as_ref();
         let files = of_job.files();
         let start = given.map_or(of_job, |given| given as _);
-        let mut patterns = self.start(job, start, work)?;
+        let mut patterns = self.start(start, work)?;
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
-            None => (self.limits(job, &patterns), None),
+            None => (self.limits(&patterns), None),
             Some(own) => {
                 let model = model.filter(|_| !own.is_given());
                 let key = model.map(|model| start_key(model, job)).transpose()?;
                 let own = match cache.take_start(key) {
                     Some(own) => own,
-                    None => self.bounding(job, own, work)?,
+                    None => self.bounding(own, work)?,
                 };
-                let bounds = self.limits(job, &own.patterns);
-                let of_dose = |dose| Ok(self.objective(job, 0)?.value(dose));
+                let bounds = self.limits(&own.patterns);
+                let of_dose = |dose| Ok(self.objective(0)?.value(dose));
                 let loss = own.dose.as_ref().map(of_dose).transpose()?;
                 cache.put_start(key, own);
                 clip(&mut patterns, self.model.patterns(), &bounds)?;
@@ -211,7 +210,7 @@ impl Stage<'_> {
             }
         };
         if let Some(files) = files.filter(|files| files.scaled && brightens) {
-            self.brighten(job, files, &mut patterns, &bounds, work)?;
+            self.brighten(files, &mut patterns, &bounds, work)?;
         }
         Ok(FirstPatterns {
             patterns,
@@ -220,14 +219,9 @@ impl Stage<'_> {
         })
     }
 
-    fn bounding(
-        &self,
-        job: &ResolvedJob,
-        start: &dyn InitialPatterns,
-        work: &Work,
-    ) -> Result<BoundingStart> {
-        let patterns = self.start(job, start, work)?;
-        let is_asked = job.stop().relative_loss.is_some();
+    fn bounding(&self, start: &dyn InitialPatterns, work: &Work) -> Result<BoundingStart> {
+        let patterns = self.start(start, work)?;
+        let is_asked = self.job.stop().relative_loss.is_some();
         let mut dose = is_asked.then(|| self.model.new_dose()).transpose()?;
         if let Some(dose) = &mut dose {
             self.model.dose(&patterns, dose, work)?;
@@ -239,7 +233,6 @@ impl Stage<'_> {
     /// suits the objective best; for doses that are linear in them. One dose call each, two where the bounds hold what would be brighter.
     fn brighten(
         &self,
-        job: &ResolvedJob,
         files: &GivenFiles,
         x: &mut HostField,
         bounds: &[Limits],
@@ -248,25 +241,24 @@ impl Stage<'_> {
         if !self.model.is_linear() {
             return Ok(());
         }
-        let objective = self.objective(job, 0)?;
+        let objective = self.objective(0)?;
         let mut dose = self.model.new_dose()?;
         let mut lowest = f64::INFINITY;
         let given = x.clone();
         let ahead = |[from, to]: &[OfFile; 2]| {
-            let mut ahead = self.start(job, to, work)?;
-            ahead.axpy(-1.0, &self.start(job, from, work)?);
+            let mut ahead = self.start(to, work)?;
+            ahead.axpy(-1.0, &self.start(from, work)?);
             ahead.axpy(1.0, &given);
             Ok(ahead)
         };
         let own = || Ok(given.clone());
-        let of_files = (files.or.iter()).map(|file| self.start(job, file, work));
+        let of_files = (files.or.iter()).map(|file| self.start(file, work));
         let further = of_files.chain(files.step.iter().map(ahead));
-        let further = further.filter(|_| job.ranks.is_none());
+        let further = further.filter(|_| self.job.ranks.is_none());
         for candidate in std::iter::once_with(own).chain(further) {
             let mut candidate = candidate?;
             clip(&mut candidate, self.model.patterns(), bounds)?;
-            let both = (&mut candidate, &mut dose);
-            let loss = self.scale(&objective, both, bounds, work)?;
+            let loss = self.scale(&objective, &mut candidate, &mut dose, bounds, work)?;
             if loss < lowest {
                 lowest = loss;
                 *x = candidate;
@@ -283,7 +275,8 @@ impl Stage<'_> {
     fn scale(
         &self,
         objective: &Sum<HostField>,
-        (x, dose): (&mut HostField, &mut HostField),
+        x: &mut HostField,
+        dose: &mut HostField,
         bounds: &[Limits],
         work: &Work,
     ) -> Result<f64> {

@@ -41,11 +41,11 @@ impl ResolvedJob {
             unreachable!("a job has a level")
         };
         let stage = Stage::new(self, self.own_voxels(work)?, level, None, &mut Silent, work)?;
-        let start = stage.start(self, self.method.start.as_ref(), work)?;
+        let start = stage.start(self.method.start.as_ref(), work)?;
         Ok(Task {
-            limits: stage.limits(self, &start),
+            limits: stage.limits(&start),
             penalties: self.method.penalties(stage.model.patterns())?,
-            objective: stage.objective(self, 0)?,
+            objective: stage.objective(0)?,
             start,
             target: stage.voxels[0].target.clone(),
             labels: stage.voxels[0].labels.clone(),

@@ -160,14 +160,22 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let level = resolved.levels.last().unwrap();
     let stage = Stage::new(&resolved, &voxels, level, None, silent, &run).unwrap();
     let start = resolved.method.start.as_ref();
-    let mut x = stage.start(&resolved, start, &run).unwrap();
-    let highest = stage.limits(&resolved, &x);
+    let mut x = stage.start(start, &run).unwrap();
+    let highest = stage.limits(&x);
     let mut bounds = highest.clone();
     bounds[0].max *= share;
     start::clip(&mut x, stage.model.patterns(), &bounds).unwrap();
     let sofar = &mut stage::SoFar::default();
-    let asked = (&resolved, 0, level.until);
-    let outcome = stage.run(asked, (&mut x, &bounds), None, sofar, silent, &run);
+    let around = stage::Around {
+        until: level.until,
+        wider: 0,
+        bounds: &bounds,
+        checkpoints: None,
+        sofar,
+        progress: silent,
+        work: &run,
+    };
+    let outcome = stage.run(&mut x, around);
     let ended = finest::Ended {
         x: &mut x,
         bounds: &mut bounds,
@@ -175,7 +183,7 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
         outcome: outcome.unwrap(),
     };
     let found_one = &mut found;
-    let outcome = finest::settle(&stage, &resolved, ended, found_one, sofar, silent, &run).unwrap();
+    let outcome = finest::settle(&stage, ended, found_one, sofar, silent, &run).unwrap();
     let by = found.report.finest.as_ref().unwrap().changed_by;
     let warns = found.report.warning().is_some();
     assert_eq!(warns, by > 1.0);
