@@ -86,7 +86,7 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, (progress, cancel), |told, work| {
+        let summary = beside_telling(py, progress, cancel, |told, work| {
             job::run(&job, resume, told, work)
         })?;
         done(py, &summary)
@@ -104,7 +104,7 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, (progress, cancel), |told, work| {
+        let summary = beside_telling(py, progress, cancel, |told, work| {
             job::simulate(&job, Path::new(&patterns), told, work)
         })?;
         done(py, &summary)

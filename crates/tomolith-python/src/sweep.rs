@@ -22,7 +22,7 @@ pub(crate) fn sweep(
     cancel: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
     let threads = usable(threads)?;
-    let outcome = beside_telling(py, (progress, cancel), |told, work| {
+    let outcome = beside_telling(py, progress, cancel, |told, work| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {
             sweep = sweep.with_folder(folder, "folder");
@@ -49,7 +49,7 @@ pub(crate) fn reproduce(
     let count = usable(threads)?;
     let python: OsString = py.import("sys")?.getattr("executable")?.extract()?;
     let program = [python, "-m".into(), "tomolith".into()];
-    let found = beside_telling(py, (progress, cancel), |observer, work| {
+    let found = beside_telling(py, progress, cancel, |observer, work| {
         let study = Study::read(&study, quick)?;
         let folder = folder.unwrap_or_else(|| study.output());
         let itself = Itself {

@@ -244,7 +244,8 @@ impl Watch for Observer<'_> {
 /// As [`beside`], for work that sends events to an observer and may be canceled.
 pub(crate) fn beside_telling<T: Send>(
     py: Python<'_>,
-    (object, cancel): (Option<Py<PyAny>>, Option<Py<PyAny>>),
+    object: Option<Py<PyAny>>,
+    cancel: Option<Py<PyAny>>,
     action: impl FnOnce(&mut Observer<'_>, &Work) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let raised = Mutex::new(None);

@@ -175,7 +175,7 @@ pub fn heat_maps(
     let mut left_out = 0;
     for (i, panel) in panels.iter().enumerate() {
         let frame = sheet.frame(i);
-        map(&mut sheet.body, &frame, ([x, y], most), panel, &values);
+        map(&mut sheet.body, &frame, [x, y], most, panel, &values);
         let sizes = [x, y].map(|scale| scale.labels.len());
         draw_guides(&mut sheet.body, &frame, sizes, guides);
         // Above the guides, which must not cover them
@@ -272,7 +272,7 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
     sheet.head(title, caption);
     for (i, curve) in curves.iter().enumerate() {
         let frame = sheet.frame(i);
-        draw_curve(&mut sheet.body, &frame, (curve, most), &values);
+        draw_curve(&mut sheet.body, &frame, curve, most, &values);
     }
     let hollow = mark(points(), |c| !c.is_feasible, "hollow: not feasible");
     let [best, failed] = common_marks(points);
@@ -300,7 +300,8 @@ fn fitting(labels: &[String], width: f64) -> usize {
 fn map(
     body: &mut String,
     frame: &Frame,
-    ([x, y], most): ([&MapAxis; 2], usize),
+    [x, y]: [&MapAxis; 2],
+    most: usize,
     panel: &Panel,
     values: &ColorScale,
 ) {
@@ -525,7 +526,7 @@ fn outline(
     path
 }
 
-fn draw_curve(body: &mut String, frame: &Frame, (curve, most): (&PlotCurve, usize), values: &Axis) {
+fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, most: usize, values: &Axis) {
     let places = || curve.points.iter().map(|(place, _)| *place);
     let (low, high) = (
         places().fold(f64::INFINITY, f64::min),

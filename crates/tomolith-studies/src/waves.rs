@@ -52,7 +52,8 @@ fn light_of_twin(twin: &Twin, x: &[f64], off: f64) -> Vec<Vec<f64>> {
 fn light_of_model(
     n: usize,
     pitch: f64,
-    (params, off): (&Params, f64),
+    params: &Params,
+    off: f64,
     x: &[f64],
 ) -> Result<(String, Vec<Vec<f64>>), Error> {
     let grid = VolumeGrid {
@@ -125,7 +126,7 @@ pub(crate) fn study(_: &[String]) -> Result<(), Box<dyn std::error::Error>> {
             let mut described = String::new();
             for off in [0.0, 0.5] {
                 let light;
-                (described, light) = light_of_model(n, pitch, (&params, off), &x)?;
+                (described, light) = light_of_model(n, pitch, &params, off, &x)?;
                 found.push(distance(&light, &light_of_twin(&wide, &x, off)));
             }
             let [on, between] = [found[0], found[1]];

@@ -483,7 +483,7 @@ fn rows(study: &Study, results: &BTreeMap<String, RunResult>) -> Result<Vec<Stud
     let mut named: BTreeMap<&str, f64> = BTreeMap::new();
     let mut rows = Vec::new();
     for row in &study.spec.rows {
-        let ours = ours(row, study.is_quick, (results, &tables), &named);
+        let ours = ours(row, study.is_quick, results, &tables, &named);
         if let (Some(name), Ok(ours)) = (&row.name, &ours) {
             named.insert(name, *ours);
         }
@@ -496,7 +496,8 @@ fn rows(study: &Study, results: &BTreeMap<String, RunResult>) -> Result<Vec<Stud
 fn ours(
     row: &RowSpec,
     is_quick: bool,
-    (results, tables): (&BTreeMap<String, RunResult>, &BTreeMap<&str, Table<'_>>),
+    results: &BTreeMap<String, RunResult>,
+    tables: &BTreeMap<&str, Table<'_>>,
     named: &BTreeMap<&str, f64>,
 ) -> Result<f64, Verdict> {
     let of = |name: &str| named.get(name).copied();
@@ -532,14 +533,15 @@ fn ours(
             Ok(number) => number.ok_or_else(|| missing("not defined")),
             Err(why) => Err(Verdict::Missing(why)),
         },
-        RunResult::Sweep(plan) => of_sweep(row, is_quick, (plan, &tables[name.as_str()]), metric),
+        RunResult::Sweep(plan) => of_sweep(row, is_quick, plan, &tables[name.as_str()], metric),
     }
 }
 
 fn of_sweep(
     row: &RowSpec,
     is_quick: bool,
-    (plan, table): (&SweepPlan, &Table<'_>),
+    plan: &SweepPlan,
+    table: &Table<'_>,
     metric: &str,
 ) -> Result<f64, Verdict> {
     let missing = |why: &str| Err(Verdict::Missing(why.to_owned()));

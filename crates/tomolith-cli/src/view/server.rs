@@ -246,7 +246,7 @@ async fn slice(
     };
     let site = Arc::clone(&known.site);
     // Reading a file may take a while
-    let cut = tokio::task::spawn_blocking(move || site.slice((run, &id), axis, index)).await;
+    let cut = tokio::task::spawn_blocking(move || site.slice(run, &id, axis, index)).await;
     match cut {
         Ok(Ok(Some(bytes))) => binary(bytes),
         Ok(Ok(None)) => StatusCode::NOT_FOUND.into_response(),

@@ -199,7 +199,8 @@ impl Site {
     /// Those of reading the dose, which is done for the first slice.
     pub(super) fn slice(
         &self,
-        (run, id): (usize, &str),
+        run: usize,
+        id: &str,
         axis: usize,
         index: usize,
     ) -> Result<Option<Vec<u8>>> {

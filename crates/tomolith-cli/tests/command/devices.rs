@@ -29,7 +29,7 @@ fn both(bench: &Bench, number: &str) -> [f64; 2] {
 }
 
 /// Runs a job on both; numbers of their evaluations differ by less, and the report names the model on the card.
-fn prints_alike(bench: &Bench, [job, model]: [&str; 2], more: &str, (number, most): (&str, f64)) {
+fn prints_alike(bench: &Bench, [job, model]: [&str; 2], more: &str, number: &str, most: f64) {
     let Some(device) = card(bench) else { return };
     bench.done(&run(job, &device, "card", more));
     bench.done(&run(job, "cpu", "processor", more));
@@ -76,7 +76,7 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let (six, ten) = ("--set stop.iterations=6", "--set stop.iterations=10");
     let goes_on = format!("{ten} --resume");
     let parallel = ["01-gear", "parallel (on "];
-    prints_alike(&bench, parallel, ten, ("iou", 1e-3));
+    prints_alike(&bench, parallel, ten, "iou", 1e-3);
     bench.done(&run("01-gear", &device, "resumed", six));
     // Another device has another memory of the steps
     let refused = bench.ended(2, &run("01-gear", "cpu", "resumed", &goes_on));
@@ -94,7 +94,7 @@ fn tilted_cones_and_waves_print_on_a_card_what_they_print_on_the_processor() {
         ["17-waves", "wave (on "],
     ] {
         let five = "--set stop.iterations=5";
-        prints_alike(&Bench::with(&[]), model, five, ("iou", 1e-3));
+        prints_alike(&Bench::with(&[]), model, five, "iou", 1e-3);
     }
 }
 
@@ -104,7 +104,7 @@ fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
     // Cells as large as they may be: software takes long for small ones
     let five = "--set stop.iterations=5 --set model.successive_orders.cell_mm=1.9";
     // How far doses in the part are spread: 0.07
-    prints_alike(&Bench::with(&[]), model, five, ("cv", 1e-5));
+    prints_alike(&Bench::with(&[]), model, five, "cv", 1e-5);
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn random_paths_on_a_card_print_what_the_processor_prints_and_resume_to_the_bit(
     let (six, ten) = (format!("{often}6"), format!("{often}10"));
     let job = "15-scattering-cone";
     let paths = "monte_carlo, 4 per pixel and frame, Monte Carlo paths of scattered light and exact line integrals (on ";
-    prints_alike(&bench, [job, paths], &ten, ("iou", 0.02));
+    prints_alike(&bench, [job, paths], &ten, "iou", 0.02);
     let [on_card, on_processor] = both(&bench, "cv");
     // From seed to seed it differs by 5 % on either
     let ratio = on_card / on_processor;

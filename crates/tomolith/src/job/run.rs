@@ -107,10 +107,13 @@ fn stages(
     let Some(folder) = folder else {
         return Ok(None);
     };
-    let resolved = (resolved, voxels, warnings);
-    let done = evaluated(
-        job, resolved, patterns, how.leaves, cache, &folder, &mut clock,
-    )?;
+    let sampled = Sampled {
+        resolved,
+        voxels,
+        warnings,
+    };
+    let clocked = &mut clock;
+    let done = evaluated(job, sampled, patterns, how.leaves, cache, &folder, clocked)?;
     finish(&done, folder, clock).map(Some)
 }
 
@@ -194,16 +197,28 @@ fn optimized(
     optimize(resolved, voxels, checkpoints, cache, clock.progress, &stage)
 }
 
+/// A job with its voxels, and what people were warned of.
+struct Sampled {
+    resolved: ResolvedJob,
+    voxels: Vec<Voxels>,
+    warnings: Vec<String>,
+}
+
 /// What the written patterns print.
 fn evaluated<'a>(
     job: &'a Job,
-    (resolved, voxels, mut warnings): (ResolvedJob, Vec<Voxels>, Vec<String>),
+    sampled: Sampled,
     optimized: Optimized,
     leaves: Leaves,
     cache: &RunCache,
     folder: &RunFolder,
     clock: &mut Clock<'_>,
 ) -> Result<Done<'a>> {
+    let Sampled {
+        resolved,
+        voxels,
+        mut warnings,
+    } = sampled;
     warnings.extend(optimized.warnings.clone());
     let stage = clock.stage("evaluating the written patterns");
     let levels = optimized.levels.as_ref();

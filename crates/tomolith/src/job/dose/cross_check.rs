@@ -89,7 +89,7 @@ impl CrossCheck {
         let estimates = [by_paths(1)?, by_paths(2)?];
         let mean = part_mean(&whole, &voxels.labels);
         let by_orders = in_cells(&by_orders, &cells, edge);
-        let found = errors(&by_orders, &estimates, &voxels.labels, (block, edge));
+        let found = errors(&by_orders, &estimates, &voxels.labels, block, edge);
         let over_mean = |error: f64| if mean > 0.0 { error / mean } else { 0.0 };
         Ok(Some(CrossCheck {
             part: over_mean(found.rms[0]),
@@ -305,7 +305,8 @@ fn errors(
     orders: &Volume<f32>,
     [a, b]: &[Volume<f32>; 2],
     labels: &Volume<u8>,
-    (block, cell): (usize, usize),
+    block: usize,
+    cell: usize,
 ) -> Errors {
     let shape = labels.grid.shape.map(|n| n.div_ceil(block));
     // Sums of the three doses and voxels, of the part's voxels and of the void's in each block
@@ -405,7 +406,7 @@ mod tests {
             most,
             seen,
             dim,
-        } = errors(&orders, &[noisy(1), noisy(2)], &labels, (2, 1));
+        } = errors(&orders, &[noisy(1), noisy(2)], &labels, 2, 1);
         assert!(
             seen < 0.01 && part < 0.005 + seen && void < 0.005 + seen,
             "{part} {void} {seen}"
@@ -418,13 +419,13 @@ mod tests {
         let dimmer = |v: &Volume<f32>| volume(&|i| scale(i) * f64::from(v.values[i]));
         let more = volume(&|i| if i < grid.len() / 2 { 1.0 } else { 0.05 * 1.03 });
         let both = [dimmer(&noisy(1)), dimmer(&noisy(2))];
-        let [off, noise] = errors(&more, &both, &labels, (2, 1)).dim.unwrap();
+        let [off, noise] = errors(&more, &both, &labels, 2, 1).dim.unwrap();
         assert!(
             (off - 0.03).abs() < 5.0 * noise && noise < 0.002,
             "{off} {noise}"
         );
         let worse = volume(&|i| if i < grid.len() / 2 { 1.05 } else { 1.0 });
-        let [part, void] = errors(&worse, &[noisy(1), noisy(2)], &labels, (2, 1)).rms;
+        let [part, void] = errors(&worse, &[noisy(1), noisy(2)], &labels, 2, 1).rms;
         assert!((part - 0.05).abs() < 0.003 && void < 0.01, "{part} {void}");
     }
 

@@ -128,24 +128,26 @@ impl<'a> Doses<'a> {
             refine: refine.max(1.0) as usize,
         };
         let lights = lit_alone(exposed.lights.clone(), self.lit.clone());
-        let family = (self.optics.model.as_ref(), purpose);
-        let of = (self.job, self.optics);
-        let (model, reason) = made(family, of, &lights, &exposed.grid, making)?;
+        let (job, optics) = (self.job, self.optics);
+        let (family, grid) = (optics.model.as_ref(), &exposed.grid);
+        let (model, reason) = made(family, purpose, job, optics, &lights, grid, making)?;
         Ok((Arc::new(model), reason))
     }
 }
 
 /// Dose of the first species from patterns on the job's voxels by a family for a purpose, the vial standing still.
 pub(crate) fn standing_by(
-    model: (Option<&Family>, Purpose),
+    family: Option<&Family>,
+    purpose: Purpose,
     job: &ResolvedJob,
     patterns: &[Patterns],
     work: &Work,
 ) -> Result<Volume<f32>> {
     let lit = patterns.iter().map(lit_rows).collect();
     let lights = lit_alone(job.optics.lights_turning(1), lit);
-    let of = (job, &job.optics);
-    let (model, _) = made(model, of, &lights, &job.grid, &work.part(0.1))?;
+    let (optics, grid) = (&job.optics, &job.grid);
+    let making = &work.part(0.1);
+    let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
     let mut doses = simulated(&model, patterns, work)?;
     Ok(doses.swap_remove(0))
 }
@@ -161,8 +163,10 @@ fn lit_alone(mut lights: Vec<Light>, lit: Vec<LitRows>) -> Vec<Light> {
 
 /// The model of a family (the cheapest that is exact, where none is named), and the notes on it.
 fn made(
-    (family, purpose): (Option<&Family>, Purpose),
-    (job, optics): (&ResolvedJob, &Optics),
+    family: Option<&Family>,
+    purpose: Purpose,
+    job: &ResolvedJob,
+    optics: &Optics,
     lights: &[Light],
     grid: &VolumeGrid,
     making: &Work,

@@ -50,7 +50,8 @@ pub(crate) fn diffused(job: &ResolvedJob, model: HostModel) -> Result<HostModel>
 /// [`Error::Config`] where they do not fit.
 pub(crate) fn planned_in_time(
     job: &ResolvedJob,
-    optics: (Option<&Family>, OpticalScene<'_>),
+    asked: Option<&Family>,
+    optics: OpticalScene<'_>,
     level: &Level,
     voxels: &[Voxels],
     work: &Work,
@@ -68,7 +69,7 @@ pub(crate) fn planned_in_time(
         let frozen = Frozen::new(models, schedule, material, step_s, every)?;
         Ok(Box::new(frozen))
     };
-    let mut plan = joined(&rows, optics, &level.grid, Some(voxels), work, join)?;
+    let mut plan = joined(&rows, asked, optics, &level.grid, Some(voxels), work, join)?;
     plan.reason = format!("{}; against the degree of cure", plan.reason);
     Ok(plan)
 }

@@ -24,7 +24,7 @@ pub(crate) fn planned(
     let mut plan = match job.mixing.as_deref() {
         Some(rows) => {
             let mix = |models| mixed(models, rows);
-            joined(rows, (asked, optics), grid, voxels, work, mix)?
+            joined(rows, asked, optics, grid, voxels, work, mix)?
         }
         None => {
             let wanted = voxels.map(|voxels| voxels[0].wanted());
@@ -49,7 +49,8 @@ fn mixed(lights: Vec<HostModel>, rows: &[Row]) -> Result<HostModel> {
 /// Models of one light each, joined by `join`; their surrogates are mixed.
 pub(crate) fn joined(
     rows: &[Row],
-    (asked, optics): (Option<&Family>, OpticalScene<'_>),
+    asked: Option<&Family>,
+    optics: OpticalScene<'_>,
     grid: &VolumeGrid,
     voxels: Option<&[Voxels]>,
     work: &Work,

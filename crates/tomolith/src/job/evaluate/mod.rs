@@ -197,13 +197,13 @@ pub(crate) fn evaluate_patterns(
     for (s, (fine, dose)) in fine.into_iter().zip(doses).enumerate() {
         let mean = averaged(&dose, &job.grid);
         work.check()?;
-        let measured = numbers((job, s), &fine, dose, (shown, stats), work)?;
+        let measured = numbers(job, s, &fine, dose, shown, stats, work)?;
         work.check()?;
         let evaluation = measured.evaluation.with_sub_angles(sub_angles);
         published = published.or(measured.published);
         species.push(SpeciesPrint {
-            written: headline_of(job, &written, s, (&evaluation, &fine)),
-            own_turning: headline_of(job, &own_turning, s, (&evaluation, &fine)),
+            written: headline_of(job, &written, s, &evaluation, &fine),
+            own_turning: headline_of(job, &own_turning, s, &evaluation, &fine),
             evaluation,
             optimization: optimization.get(s).cloned(),
             unrounded: unrounded.get(s).copied().flatten(),
@@ -228,19 +228,13 @@ pub(crate) fn evaluate_patterns(
         let inside = &first.fine.target.inside;
         Contact::of(job.shape(), inside, &first.response, threshold)
     });
-    let scenarios = in_scenarios(job, shown, first, (&grid, sub_angles), work)?;
+    let scenarios = in_scenarios(job, shown, first, &grid, sub_angles, work)?;
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
     let noise = Noise::of(job, &voxels[0], shown, work)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
-    let mut warnings = doubts_of(
-        job,
-        shown,
-        &first.evaluation,
-        (&noise, &agreement),
-        progress,
-    )?;
+    let mut warnings = doubts_of(job, shown, &first.evaluation, &noise, &agreement, progress)?;
     let one_exposure = together(job, &species, &mut warnings, progress);
-    show(shown, (&job.species, &species), progress);
+    show(shown, &job.species, &species, progress);
     Ok(Evaluated {
         species,
         published,
@@ -264,7 +258,8 @@ fn headline_of(
     job: &ResolvedJob,
     print: &Option<OwnPrint>,
     s: usize,
-    (evaluation, fine): (&Evaluation, &Voxels),
+    evaluation: &Evaluation,
+    fine: &Voxels,
 ) -> Measure {
     match print.as_ref()? {
         OwnPrint::Apart(measured) => measured[s],
@@ -280,11 +275,12 @@ fn in_scenarios(
     job: &ResolvedJob,
     shown: &[Patterns],
     print: &SpeciesPrint,
-    (grid, sub_angles): (&VolumeGrid, usize),
+    grid: &VolumeGrid,
+    sub_angles: usize,
     work: &Work,
 ) -> Result<Option<ScenarioTable>> {
-    let own = (&print.response, print.evaluation.gel_threshold);
-    scenarios::table(job, &print.fine.labels.values, own, |scenario| {
+    let (labels, threshold) = (&print.fine.labels.values, print.evaluation.gel_threshold);
+    scenarios::table(job, labels, &print.response, threshold, |scenario| {
         let turning = Exposed::new(grid, scenario.optics.lights_turning(sub_angles));
         let mut doses = Doses::new(job, &scenario.optics);
         doses.will_show(&[shown]);
@@ -296,7 +292,8 @@ fn in_scenarios(
 /// Copies for an observer that wants them: the written patterns and what they print.
 fn show(
     shown: &[Patterns],
-    (all, species): (&[Species], &[SpeciesPrint]),
+    all: &[Species],
+    species: &[SpeciesPrint],
     progress: &mut dyn Progress,
 ) {
     let wants = progress.wants();
@@ -334,10 +331,12 @@ struct Measured {
 
 /// Measures a print; of the first one its surface and the numbers of publications, too.
 fn numbers(
-    (job, s): (&ResolvedJob, usize),
+    job: &ResolvedJob,
+    s: usize,
     fine: &Voxels,
     dose: Volume<f32>,
-    (shown, stats): (&[Patterns], PatternStats),
+    shown: &[Patterns],
+    stats: PatternStats,
     work: &Work,
 ) -> Result<Measured> {
     let (species, is_first) = (&job.species[s], s == 0);
@@ -362,7 +361,7 @@ fn numbers(
     } else {
         species.goal.responses(dose)
     };
-    let print = print((job, species), fine, &response, work)?.with_patterns(stats);
+    let print = print(job, species, fine, &response, work)?.with_patterns(stats);
     if is_first && is_dose {
         // The dose is the response: what was counted of one serves the other
         published = Some(published::of_print(&print, inside, &options)?);
@@ -382,7 +381,8 @@ fn doubts_of(
     job: &ResolvedJob,
     shown: &[Patterns],
     evaluation: &Evaluation,
-    (noise, agreement): (&Option<Noise>, &Option<CrossCheck>),
+    noise: &Option<Noise>,
+    agreement: &Option<CrossCheck>,
     progress: &mut dyn Progress,
 ) -> Result<Vec<String>> {
     let of_paths = noise.map(|noise| format!("Monte Carlo paths: {noise}"));
@@ -515,7 +515,8 @@ pub(crate) fn at_best_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> M
 
 /// What the metrics look at, as a part of a run.
 pub(crate) fn print<'a>(
-    (job, species): (&ResolvedJob, &Species),
+    job: &ResolvedJob,
+    species: &Species,
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
     work: Work,

@@ -56,11 +56,11 @@ impl Noise {
             return Ok(None);
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
-            let dose = standing_by((Some(family), purpose), job, patterns, work)?;
+            let dose = standing_by(Some(family), purpose, job, patterns, work)?;
             Ok(job.first().goal.responses(dose))
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
-            let print = print((job, job.first()), voxels, response, Work::new())?;
+            let print = print(job, job.first(), voxels, response, Work::new())?;
             Ok([(iou::KIND.measure)(&print), (pw::KIND.measure)(&print)])
         };
         let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;

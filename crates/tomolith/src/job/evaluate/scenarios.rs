@@ -13,7 +13,8 @@ use crate::report::{ScenarioRow, ScenarioTable};
 pub(crate) fn table(
     resolved: &ResolvedJob,
     labels: &[u8],
-    (own, threshold): (&Volume<f32>, Option<f64>),
+    own: &Volume<f32>,
+    threshold: Option<f64>,
     mut response_of: impl FnMut(&Scenario) -> Result<Volume<f32>>,
 ) -> Result<Option<ScenarioTable>> {
     if resolved.scenarios.is_empty() {
@@ -64,7 +65,7 @@ mod tests {
                 values: own.values.iter().map(|v| 0.5 * v).collect(),
             })
         };
-        let table = table(resolved, &labels.values, (&own, Some(0.75)), halved)
+        let table = table(resolved, &labels.values, &own, Some(0.75), halved)
             .unwrap()
             .unwrap();
         // Half the dose is right at half the threshold, and prints nothing at that of the job

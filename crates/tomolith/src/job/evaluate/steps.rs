@@ -90,7 +90,7 @@ impl<'a> EvaluationSteps<'a> {
         let each = each.map(|((own, voxels), dose)| {
             let response = own.goal.responses(dose);
             let work = work.part(share::OWN_NUMBERS / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, work.part(1.0))?.with_patterns(stats);
+            let print = print(job, own, voxels, &response, work.part(1.0))?.with_patterns(stats);
             let evaluation = evaluate(&print);
             // Numbers of a canceled run mean nothing
             work.check()?;
@@ -171,7 +171,7 @@ impl<'a> EvaluationSteps<'a> {
         let each = each.map(|((own, voxels), dose)| {
             let response = own.goal.responses(dose);
             let work = self.work.part(share / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, work)?;
+            let print = print(job, own, voxels, &response, work)?;
             Ok(match print.best() {
                 Some(best) if !voxels.target.gray => Some(best.iou),
                 _ => (headline(voxels.target.gray).measure)(&print),

@@ -101,7 +101,7 @@ impl FoundCeiling {
                     ..*print
                 };
                 let qualities: Vec<_> = tried.qualities.iter().map(without_surfaces).collect();
-                are_good(job, 2 * FACTOR, (&points[0].qualities, &qualities))
+                are_good(job, 2 * FACTOR, &points[0].qualities, &qualities)
             })
     }
 
@@ -131,7 +131,8 @@ pub(crate) fn iterations(job: &ResolvedJob, voxels: &[Voxels]) -> usize {
 pub(crate) fn find_once(
     job: &ResolvedJob,
     voxels: &[Voxels],
-    (checkpoints, is_resumed): (&mut Checkpoints, bool),
+    checkpoints: &mut Checkpoints,
+    is_resumed: bool,
     work: &Work,
 ) -> Result<Option<FoundCeiling>> {
     let earlier = match is_resumed {
@@ -345,7 +346,7 @@ impl Search<'_> {
         clip(&mut own, stage.model.patterns(), &limits)?;
         stage.improve_within(&mut own, &limits, each, work)?;
         let qualities = stage.qualities(&own, true, work)?;
-        let is_good = are_good(stage.job, FACTOR, (&tried.points[0].qualities, &qualities));
+        let is_good = are_good(stage.job, FACTOR, &tried.points[0].qualities, &qualities);
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
             tried.good = Some(tried.points.len() - 1);
@@ -358,7 +359,8 @@ impl Search<'_> {
 pub(crate) fn are_good(
     job: &ResolvedJob,
     wider: usize,
-    (others, own): (&[CeilingQuality], &[CeilingQuality]),
+    others: &[CeilingQuality],
+    own: &[CeilingQuality],
 ) -> bool {
     let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
     let within = |(other, own): (&CeilingQuality, &CeilingQuality)| {

@@ -119,7 +119,7 @@ impl GoOn<'_, '_> {
     }
 
     fn is_as_good(&self, own: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
-        are_good(self.stage.job, 1, (other, own))
+        are_good(self.stage.job, 1, other, own)
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.

@@ -99,7 +99,7 @@ pub(crate) fn optimize(
     work: &Work,
 ) -> Result<Optimized> {
     let (checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
-    let mut search = Search::begin((job, voxels), (checkpoints, resumed), cache, progress, work)?;
+    let mut search = Search::begin(job, voxels, checkpoints, resumed, cache, progress, work)?;
     let shares = job.own_levels();
     for (i, (level, share)) in job.levels.iter().zip(shares.as_ref()).enumerate() {
         let stage = search.stage(i, share)?;
@@ -120,7 +120,7 @@ pub(crate) fn optimize(
         let raw = job.whole_patterns(level, stage.patterns(&mut x), goes_on);
         match ran {
             Ok(Some(outcome)) if goes_on => search.carry(outcome, raw),
-            ran => return search.end(stage, ran, (&x, raw), plan.folder),
+            ran => return search.end(stage, ran, &x, raw, plan.folder),
         }
     }
     unreachable!("a job has a level")

@@ -55,7 +55,7 @@ pub(crate) fn rehearse(
         });
         let of_levels = |iterations| -> Result<Vec<f64>> {
             let levels = job.levels.iter();
-            let pace = |level| pace(job, voxels, (level, iterations), limited);
+            let pace = |level| pace(job, voxels, level, iterations, limited);
             levels.map(pace).collect()
         };
         let done = of_levels(0).map(|_| of_levels(TIMED).ok());
@@ -85,7 +85,8 @@ pub(crate) fn rehearse(
 fn pace(
     job: &ResolvedJob,
     voxels: &[Voxels],
-    (level, iterations): (&Level, usize),
+    level: &Level,
+    iterations: usize,
     work: &Work,
 ) -> Result<f64> {
     let level = Level {
@@ -95,8 +96,8 @@ fn pace(
     let silent = &mut Silent;
     let stage = Stage::new(job, voxels, &level, None, silent, work)?;
     let given = job.own_start(&level)?;
-    let parts = (&mut RunCache::default(), None);
-    let first = stage.first_patterns(given.as_ref(), true, parts, work)?;
+    let cache = &mut RunCache::default();
+    let first = stage.first_patterns(given.as_ref(), true, cache, None, work)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let (begin, sofar) = (Instant::now(), &mut SoFar::default());
     let around = Around {

@@ -48,8 +48,10 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Looks for a ceiling of the pixels, where the job asks for one.
     pub(super) fn begin(
-        (job, voxels): (&'a ResolvedJob, &'a [Voxels]),
-        (mut checkpoints, resumed): (Checkpoints, Option<usize>),
+        job: &'a ResolvedJob,
+        voxels: &'a [Voxels],
+        mut checkpoints: Checkpoints,
+        resumed: Option<usize>,
         cache: &'a mut RunCache,
         progress: &'a mut dyn Progress,
         work: &'a Work,
@@ -57,7 +59,7 @@ impl<'a> Search<'a> {
         let key = cache::key(job, &voxels[0])?;
         let cached = cache.take(key);
         let is_resumed = resumed.is_some();
-        let ceiling = ceiling::find_once(job, voxels, (&mut checkpoints, is_resumed), work)?;
+        let ceiling = ceiling::find_once(job, voxels, &mut checkpoints, is_resumed, work)?;
         if let Some(found) = &ceiling {
             let text = found.report.sentence();
             progress.event(&Event::Note { text });
@@ -109,8 +111,8 @@ impl<'a> Search<'a> {
         }
         let (job, work) = (self.job, self.work);
         let given = job.own_start(level)?;
-        let cached = (&mut *self.cache, self.key);
-        let first = stage.first_patterns(given.as_ref(), !self.is_resumed, cached, work)?;
+        let (brightens, key) = (!self.is_resumed, self.key);
+        let first = stage.first_patterns(given.as_ref(), brightens, self.cache, key, work)?;
         self.sofar.first_loss = first.loss;
         self.highest.clone_from(&first.bounds);
         self.bounds = first.bounds;
@@ -200,7 +202,8 @@ impl<'a> Search<'a> {
         self,
         mut stage: Stage<'_>,
         ran: Result<Option<Outcome>>,
-        (x, raw): (&HostField, Vec<Patterns>),
+        x: &HostField,
+        raw: Vec<Patterns>,
         folder: &Path,
     ) -> Result<Optimized> {
         let (job, work) = (self.job, self.work);

@@ -136,7 +136,7 @@ impl<'a> Stage<'a> {
         };
         let asked = job.optics.model.as_ref();
         let plan = if job.is_optimized_in_time() {
-            planned_in_time(job, (asked, optics), level, &voxels, work)?
+            planned_in_time(job, asked, optics, level, &voxels, work)?
         } else {
             planned(job, asked, optics, &level.grid, Some(&voxels), work)?
         };
@@ -181,8 +181,8 @@ impl<'a> Stage<'a> {
 
     pub(crate) fn start(&self, start: &dyn InitialPatterns, work: &Work) -> Result<HostField> {
         let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
-        let models = (own, self.straight.as_deref());
-        let mut x = starting_patterns(self.job, &self.voxels, models, start, work)?;
+        let straight = self.straight.as_deref();
+        let mut x = starting_patterns(self.job, &self.voxels, own, straight, start, work)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
@@ -389,7 +389,7 @@ impl<'a> Stage<'a> {
             .with_penalties(job.method.penalties(model.patterns())?)
             .with_bits(job.bounds().bits)?;
         let (response, voxels) = (job.first().goal.response.as_ref(), &self.voxels[0]);
-        let input = start_input(model, (voxels, None), response, &[]);
+        let input = start_input(model, voxels, None, response, &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
         }

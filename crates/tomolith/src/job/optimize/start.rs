@@ -18,7 +18,8 @@ use crate::response::Response;
 /// What a start or a method's marks are computed from; `absorption` where it is a map.
 pub(crate) fn start_input<'a, F: Field>(
     model: &'a dyn DoseModel<Field = F>,
-    (voxels, absorption): (&'a Voxels, Option<&'a Volume<f32>>),
+    voxels: &'a Voxels,
+    absorption: Option<&'a Volume<f32>>,
     response: &'a dyn Response,
     limits: &'a [Limits],
 ) -> StartInput<'a, F> {
@@ -41,10 +42,8 @@ const GLIMMER: f64 = 0.01;
 pub(crate) fn starting_patterns(
     job: &ResolvedJob,
     voxels: &[Voxels],
-    (model, straight): (
-        &dyn DoseModel<Field = HostField>,
-        Option<&dyn DoseModel<Field = HostField>>,
-    ),
+    model: &dyn DoseModel<Field = HostField>,
+    straight: Option<&dyn DoseModel<Field = HostField>>,
     start: &dyn InitialPatterns,
     work: &Work,
 ) -> Result<HostField> {
@@ -56,12 +55,11 @@ pub(crate) fn starting_patterns(
     let limits: Vec<Limits> = given.collect();
     let response = job.first().goal.response.as_ref();
     let absorption = job.optics.lights[0].absorption_on(&voxels[0].labels.grid);
-    let seen = (&voxels[0], absorption.as_ref());
-    let input = |model| start_input(model, seen, response, &limits);
+    let input = |model| start_input(model, &voxels[0], absorption.as_ref(), response, &limits);
     let known = straight.unwrap_or(model);
     let mut x = match job.rows() {
         Some(rows) if !start.is_given() => {
-            starting_lights(job, (&rows, voxels), known, start, (&limits, work))?
+            starting_lights(job, &rows, voxels, known, start, &limits, work)?
         }
         _ => start.patterns(&input(known), work)?,
     };
@@ -87,10 +85,12 @@ pub(crate) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits
 /// Where each light begins: with the species that it drives most, as if it were alone.
 fn starting_lights(
     job: &ResolvedJob,
-    (rows, voxels): (&[SpeciesRow], &[Voxels]),
+    rows: &[SpeciesRow],
+    voxels: &[Voxels],
     model: &dyn DoseModel<Field = HostField>,
     start: &dyn InitialPatterns,
-    (limits, work): (&[Limits], &Work),
+    limits: &[Limits],
+    work: &Work,
 ) -> Result<HostField> {
     let mut x = model.new_patterns()?;
     for (i, begins) in beginnings(rows).into_iter().enumerate() {
@@ -99,8 +99,8 @@ fn starting_lights(
         };
         let response = job.species[s].goal.response.as_ref();
         let absorption = job.optics.lights[i].absorption_on(&voxels[s].labels.grid);
-        let seen = (&voxels[s], absorption.as_ref());
-        let input = start_input(&*alone, seen, response, &limits[i..=i]);
+        let (map, limits) = (absorption.as_ref(), &limits[i..=i]);
+        let input = start_input(&*alone, &voxels[s], map, response, limits);
         let mut own = start.patterns(&input, work)?;
         own.scale((factor * job.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
@@ -184,7 +184,8 @@ impl Stage<'_> {
         &self,
         given: Option<&Given>,
         brightens: bool,
-        (cache, model): (&mut RunCache, Option<u64>),
+        cache: &mut RunCache,
+        model: Option<u64>,
         work: &Work,
     ) -> Result<FirstPatterns> {
         let job = self.job;

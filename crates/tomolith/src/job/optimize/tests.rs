@@ -49,9 +49,9 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
     let (asked, wanted) = (resolved.optics.model.as_ref(), voxels[0].wanted());
     let (optics, run) = (resolved.optimizing(), Work::new());
     let plan = planner::plan(asked, optics, &resolved.grid, Some(&wanted), &run).unwrap();
-    let models = (&plan.model as _, plan.surrogate.as_deref());
+    let (model, straight) = (&plan.model as _, plan.surrogate.as_deref());
     let start = resolved.method.start.as_ref();
-    let x = starting_patterns(&resolved, &voxels, models, start, &Work::new()).unwrap();
+    let x = starting_patterns(&resolved, &voxels, model, straight, start, &run).unwrap();
     (voxels.remove(0), plan, x)
 }
 

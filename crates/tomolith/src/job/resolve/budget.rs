@@ -28,8 +28,8 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     let kept = family.cost(&finest, &last.grid).unwrap_or_default();
     let kept_of_the_job = family.cost(&lit, grid)?;
     let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
-    let of_the_job = (grid, &resolved.optics.lights[..], spec.stop.iterations);
-    let effort = refinement::effort(&resolved.levels, of_the_job, entries);
+    let (lights, iterations) = (&resolved.optics.lights, spec.stop.iterations);
+    let effort = refinement::effort(&resolved.levels, grid, lights, iterations, entries);
     let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);
     Ok(Extent {
         effort: effort * (1 + spec.scenario.len()) as f64,

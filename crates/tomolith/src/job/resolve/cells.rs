@@ -15,7 +15,8 @@ pub(crate) const FIELDS: usize = 2;
 /// # Errors
 /// [`Error::Config`] with the key that asks for cells.
 pub(crate) fn must_fit(
-    (goal, method): (&Goal, &Method),
+    goal: &Goal,
+    method: &Method,
     shape: &dyn Shape,
     model: Option<&Family>,
 ) -> Result<()> {

@@ -40,7 +40,7 @@ pub(crate) struct Method {
 }
 
 /// A penalty and its weight.
-fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
+fn penalty(i: usize, value: &Value) -> Result<(f64, Arc<dyn MakePenalty>)> {
     let mut section = Section::new(format!("penalties[{i}]"), value.clone()).without(&["weight"]);
     let own = section.value.as_object_mut();
     let weight = own.and_then(|map| map.remove("weight"));
@@ -56,7 +56,11 @@ impl Method {
     pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
         let optimizer = section("optimizer", &spec.optimizer);
-        let penalties = spec.penalties.iter().enumerate().map(penalty);
+        let penalties = spec
+            .penalties
+            .iter()
+            .enumerate()
+            .map(|(i, own)| penalty(i, own));
         let penalties = penalties.collect::<Result<_>>()?;
         let made = optimizer.read(OPTIMIZERS)?;
         let method = made.make()?;
@@ -114,7 +118,8 @@ impl Method {
 /// Makes the objective on a few voxels, so that what the job cannot have is refused before heavy work.
 pub(crate) fn try_kinds(
     spec: &JobSpec,
-    (goal, method): (&Goal, &Method),
+    goal: &Goal,
+    method: &Method,
     model: Option<&Family>,
     gray: bool,
 ) -> Result<()> {

@@ -259,7 +259,7 @@ impl ResolvedJob {
             method: &method,
             species: &species,
         };
-        let levels = refinement::levels(asked, (&optics, family.as_ref()), &grid, bounds_mm);
+        let levels = refinement::levels(asked, &optics, family.as_ref(), &grid, bounds_mm);
         notes.extend(refinement::held_back(asked, family.as_ref()));
         let finest = &levels[levels.len() - 1];
         if refinement::are_sharpened(asked, family.as_ref(), finest) {

@@ -117,7 +117,7 @@ impl Optics {
                 let mut light = Light {
                     bath,
                     map: maps.get(i).cloned(),
-                    ..light_of(spec, (i, light), path.projector.pixel_pitch_mm())
+                    ..light_of(spec, i, light, path.projector.pixel_pitch_mm())
                 };
                 light.resin.gradient = gradient;
                 light
@@ -125,12 +125,10 @@ impl Optics {
             .collect();
         for (i, (light, own)) in lights.iter_mut().zip(&spec.light).enumerate() {
             let key = format!("light[{i}].selection");
-            let place = (key.as_str(), base);
-            let pixels = &light.pixels;
-            light.selection =
-                selection_of(&own.selection, place, pixels, vial.as_ref(), &paths[i])?;
+            let (vial, pixels) = (vial.as_ref(), &light.pixels);
+            light.selection = selection_of(&own.selection, &key, base, pixels, vial, &paths[i])?;
             light.selection.has_background = own.bounds.min.unwrap_or(spec.bounds.min) > 0.0;
-            light.point_spread = point_spread::of_light((i, own), &light.pixels, base)?;
+            light.point_spread = point_spread::of_light(i, own, &light.pixels, base)?;
         }
         let mut optics = Optics {
             vial,
@@ -474,7 +472,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, notes: &mut Vec<String>) -> Result<
     Ok(obstacles)
 }
 
-fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2]) -> Light {
+fn light_of(spec: &JobSpec, i: usize, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
     let (azimuths, frame_arc) = spec.angles_of(i).azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = spec.resin_of(i);

@@ -12,7 +12,8 @@ use std::sync::Arc;
 /// # Errors
 /// [`Error::Config`] at that key with the file and what is wrong with it.
 pub(crate) fn of_light(
-    (i, light): (usize, &LightSpec),
+    i: usize,
+    light: &LightSpec,
     pixels: &PatternGrid,
     base: &Path,
 ) -> Result<Option<Arc<PointSpread>>> {

@@ -95,7 +95,9 @@ fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
 /// and on the job's, 0 where it stores none; the time of a call is proportional to them.
 pub(crate) fn effort(
     levels: &[Level],
-    (grid, lights, iterations): (&VolumeGrid, &[Light], usize),
+    grid: &VolumeGrid,
+    lights: &[Light],
+    iterations: usize,
     entries: [f64; 2],
 ) -> f64 {
     if levels.len() == 1 && entries.iter().all(|&entries| entries > 0.0) {
@@ -120,7 +122,8 @@ fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
 /// The levels of a job, the finest last.
 pub(crate) fn levels(
     asked: Asked<'_>,
-    (optics, family): (&Optics, &dyn ModelFamily),
+    optics: &Optics,
+    family: &dyn ModelFamily,
     grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
 ) -> Vec<Level> {
@@ -470,7 +473,6 @@ mod tests {
             ..optics.scene()
         };
         let family = planner::choose(optics.model.as_ref(), &resolved, &grid).unwrap();
-        let of = (&optics, family.as_ref());
         let method = Method::read(&job.spec, &job.base()).unwrap();
         let species = Species::of_job(&job, &method, None, &Work::new()).unwrap();
         let asked = Asked {
@@ -478,7 +480,7 @@ mod tests {
             method: &method,
             species: &species,
         };
-        let levels = levels(asked, of, &grid, bounds);
+        let levels = levels(asked, &optics, family.as_ref(), &grid, bounds);
         let are_sharpened = are_sharpened(asked, family.as_ref(), &levels[levels.len() - 1]);
         let is_sharpened = are_sharpened && sharpened(&species[0].goal).is_some();
         (levels, is_sharpened)

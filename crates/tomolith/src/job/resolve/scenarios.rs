@@ -99,7 +99,7 @@ fn must_show_the_same(job: &ResolvedJob, spec: &JobSpec, optics: &Optics) -> Res
     };
     let family = family(optics, &job.species, &job.grid)?;
     let bounds_mm = bounds_of(&job.species);
-    let levels = levels(asked, (optics, family.as_ref()), &job.grid, bounds_mm);
+    let levels = levels(asked, optics, family.as_ref(), &job.grid, bounds_mm);
     let finest = |levels: &[Level]| levels.last().map(|level| level.grid.clone());
     let (its, jobs) = (finest(&levels), finest(&job.levels));
     if its != jobs {

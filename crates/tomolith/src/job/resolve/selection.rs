@@ -21,7 +21,8 @@ use std::sync::Arc;
 /// [`Error::Config`] with the key: an image that cannot be used, a vial without edges, no pixel left.
 pub(crate) fn selection_of(
     spec: &SelectionSpec,
-    (key, base): (&str, &Path),
+    key: &str,
+    base: &Path,
     pixels: &PatternGrid,
     vial: &dyn Vial,
     optics: &rays::Optics,

@@ -62,7 +62,7 @@ impl Species {
         let spec = &job.spec;
         let each = |s: usize| {
             let name = spec.species.get(s).map(|own| own.name.clone());
-            let of_species = Self::read(name, &spec.of_species(s), job, (method, model), work);
+            let of_species = Self::read(name, &spec.of_species(s), job, method, model, work);
             of_species.map_err(|e| at_species(spec, s, e))
         };
         (0..spec.species.len().max(1)).map(each).collect()
@@ -72,15 +72,16 @@ impl Species {
         name: Option<String>,
         spec: &JobSpec,
         job: &Job,
-        (method, model): (&Method, Option<&Family>),
+        method: &Method,
+        model: Option<&Family>,
         work: &Work,
     ) -> Result<Self> {
         let goal = Goal::read(spec, &job.base()).map_err(known_elsewhere)?;
         let shape = target::build_under(&spec.target, &job.base(), "target", work)
             .map_err(|e| at_target(spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
-        try_kinds(spec, (&goal, method), model, shape.is_gray()).map_err(known_elsewhere)?;
-        cells::must_fit((&goal, method), shape.as_ref(), model)?;
+        try_kinds(spec, &goal, method, model, shape.is_gray()).map_err(known_elsewhere)?;
+        cells::must_fit(&goal, method, shape.as_ref(), model)?;
         time_refusals::must_be_whole(spec, &goal)?;
         counted_as(spec, shape.is_gray())?;
         Ok(Species {

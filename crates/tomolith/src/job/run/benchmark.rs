@@ -242,7 +242,7 @@ impl Sample {
     fn lights(&self, job: &ResolvedJob) -> Vec<Light> {
         let mut lights = job.optics.lights_turning(1);
         for light in &mut lights {
-            let chosen = in_groups(light.pixels.frames(), (self.frames, self.together));
+            let chosen = in_groups(light.pixels.frames(), self.frames, self.together);
             let azimuths = &mut light.pixels.azimuths;
             *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
             light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
@@ -393,7 +393,7 @@ fn timed_by(job: &ResolvedJob) -> Result<TimedBy> {
 }
 
 /// About so many of `frames` frames: evenly spaced groups of so many neighbors.
-fn in_groups(frames: usize, (wanted, together): (usize, usize)) -> Vec<usize> {
+fn in_groups(frames: usize, wanted: usize, together: usize) -> Vec<usize> {
     if wanted >= frames {
         return (0..frames).collect();
     }
@@ -648,13 +648,13 @@ mod tests {
 
     #[test]
     fn frames_of_a_trial_are_neighbors_all_around() {
-        assert_eq!(in_groups(5, (16, 8)), [0, 1, 2, 3, 4]);
-        let chosen = in_groups(400, (16, 8));
+        assert_eq!(in_groups(5, 16, 8), [0, 1, 2, 3, 4]);
+        let chosen = in_groups(400, 16, 8);
         let expected: Vec<usize> = (0..8).chain(200..208).collect();
         assert_eq!(chosen, expected);
-        assert_eq!(in_groups(400, (2, 1)), [0, 200]);
+        assert_eq!(in_groups(400, 2, 1), [0, 200]);
         assert!(
-            in_groups(17, (16, 8))
+            in_groups(17, 16, 8)
                 .windows(2)
                 .all(|pair| pair[0] < pair[1])
         );

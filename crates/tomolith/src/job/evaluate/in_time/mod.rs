@@ -194,7 +194,7 @@ pub(crate) fn print_in_time(
     for ((watched, name), voxels) in watched.into_iter().zip(names).zip(voxels) {
         let seconds: Vec<f64> = (watched.curves.points().iter().map(|p| p.seconds)).collect();
         let sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
-        networks.push(watched.finish(material, (name, sent_mj), job, voxels, patterns)?);
+        networks.push(watched.finish(material, name, sent_mj, job, voxels, patterns)?);
     }
     Ok(Some(InTime { networks }))
 }

@@ -92,7 +92,8 @@ impl Watched {
     pub(crate) fn finish(
         self,
         material: &Photopolymer,
-        (name, sent_mj): (String, Vec<f64>),
+        name: String,
+        sent_mj: Vec<f64>,
         job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],

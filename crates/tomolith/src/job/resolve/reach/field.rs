@@ -22,7 +22,7 @@ impl Optics {
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
         for i in 0..self.lights.len() {
             self.must_be_wide(spec, i, out)?;
-            self.must_be_high(spec, i, ([low[2], high[2]], out))?;
+            self.must_be_high(spec, i, [low[2], high[2]], out)?;
         }
         Ok(())
     }
@@ -65,7 +65,8 @@ impl Optics {
         &self,
         spec: &JobSpec,
         i: usize,
-        ([low, high], out): ([f64; 2], f64),
+        [low, high]: [f64; 2],
+        out: f64,
     ) -> Result<()> {
         let lit = self.lit_heights(i);
         // Less than half a pixel is reported when the voxels are known

@@ -116,7 +116,7 @@ pub(crate) fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) ->
             keys.key("tilt")
         ));
     }
-    let optics = optics(&kind, &mut keys, (pixels[0], distance))?;
+    let optics = optics(&kind, &mut keys, pixels[0], distance)?;
     keys.finish(&mut ours.notes);
     let mut light =
         json!({ "pixels": pixels, "angles": frames, "rotation": rotation, "projector": optics });
@@ -136,7 +136,7 @@ pub(crate) fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) ->
     Ok(())
 }
 
-fn optics(kind: &str, keys: &mut Keys, (columns, distance): (u64, f64)) -> Result<Value> {
+fn optics(kind: &str, keys: &mut Keys, columns: u64, distance: f64) -> Result<Value> {
     Ok(match kind {
         "collimated" => {
             json!({ "collimated": { "pixel_pitch_mm": keys.need_positive("pixel_size")? } })
