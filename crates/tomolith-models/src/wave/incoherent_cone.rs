@@ -48,7 +48,7 @@
 use super::coherent::alone;
 use super::cones::{Cone, Cones};
 use super::light::Propagation;
-use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
+use super::lights::{Lights, affordable_windows, beyond, heights_of, turning};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::{
@@ -92,6 +92,8 @@ impl Params {
             model: "model.incoherent_cone",
             relative_error: self.relative_error,
             rotation_error: self.rotation_error,
+            entrance: self.entrance,
+            focus_mm: self.focus_mm,
             fields_cost: FIELDS_COST,
         }
     }
@@ -181,10 +183,10 @@ fn working_bytes(
 ) -> Result<usize> {
     let settings = params.settings();
     let of_light = |light: &Light| {
-        let (cone, focus) = (params.cone(light), (params.focus_mm, &settings));
+        let windows = affordable_windows(vial, light, &params.cone(light), &settings, grid, 1)?;
         // A real number for every frequency and depth
-        let kernels = |depths: usize| depths.div_ceil(2);
-        working_bytes_of(vial, (light, &cone), focus, grid, (1, 1), kernels)
+        let kernels = windows.sampling.transformed().count.div_ceil(2);
+        Ok(windows.working_bytes(grid, 1, kernels))
     };
     lights.iter().map(of_light).sum()
 }
@@ -202,11 +204,18 @@ impl IncoherentCone {
         grid: VolumeGrid,
     ) -> Result<Self> {
         let settings = params.settings();
-        let place = ((params.entrance, params.focus_mm), &settings);
         let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
             let cone = params.cone(light);
             let propagate = |windows| Cones::new(windows, &cone);
-            turning(vial, (light, &cone), place, layout, first_frame, propagate)
+            turning(
+                vial,
+                light,
+                &cone,
+                &settings,
+                layout,
+                first_frame,
+                propagate,
+            )
         };
         Ok(IncoherentCone(Lights::new(
             settings.model,
@@ -266,7 +275,7 @@ impl DoseModel for IncoherentCone {
             Some((cones.modes_form(), alone(depths)))
         };
         let summary = self.0.described(|_| String::new());
-        self.0.form(spreading, (KIND.name, summary))
+        self.0.form(spreading, KIND.name, summary)
     }
 
     fn describe(&self) -> String {
