@@ -33,7 +33,7 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, rays::{Optics, Params, Rays}};
+//! use tomolith_models::{DoseModel, Work, rays::{Optics, Params, Rays}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);

@@ -36,7 +36,7 @@
 //! use std::sync::Arc;
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, successive_orders, rays::Optics};
+//! use tomolith_models::{DoseModel, Work, successive_orders, rays::Optics};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};

@@ -35,7 +35,7 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, wave::{Params, Wave}};
+//! use tomolith_models::{DoseModel, Work, wave::{Params, Wave}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
