@@ -139,13 +139,8 @@ impl ScatteredLight {
             None => {
                 let (lights, kernel, grid) = (vec![binned], Kernel::default(), cells.grid.clone());
                 let parallel = Parallel::for_purpose(vial, lights, kernel, grid, purpose, work)?;
-                Box::new(CollimatedSource::new(
-                    vial,
-                    light,
-                    bins,
-                    parallel,
-                    delta_scaled,
-                ))
+                let source = CollimatedSource::new(vial, light, bins, parallel, delta_scaled);
+                Box::new(source)
             }
         };
         let channels = straight.channels();

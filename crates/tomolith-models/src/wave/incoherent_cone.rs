@@ -28,7 +28,7 @@
 //! ```
 //! use tomolith_core::field::HostField;
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, wave::incoherent_cone::{Params, IncoherentCone}};
+//! use tomolith_models::{DoseModel, Work, wave::incoherent_cone::{Params, IncoherentCone}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 65, 65, 0.002), Resin::pure_radon(1.5));
@@ -203,19 +203,11 @@ impl IncoherentCone {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        let settings = params.settings();
-        let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
+        let settings = &params.settings();
+        let build = |light: &Light, layout: &DoseLayout, _, first| {
             let cone = params.cone(light);
             let propagate = |windows| Cones::new(windows, &cone);
-            turning(
-                vial,
-                light,
-                &cone,
-                &settings,
-                layout,
-                first_frame,
-                propagate,
-            )
+            turning(vial, light, &cone, settings, layout, first, propagate)
         };
         Ok(IncoherentCone(Lights::new(
             settings.model,

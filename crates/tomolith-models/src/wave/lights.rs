@@ -299,21 +299,11 @@ pub(super) fn turning<T: Number, P: Propagation<T>>(
         wall: wall.filter(|_| settings.entrance == Entrance::Wall),
         entrance: -vial.resin_wall().inscribed_radius(),
     };
-    let turn = FrameRotation::new(
-        light,
-        grid,
-        columns.in_resin,
-        uptake,
-        settings.focus_mm,
-        windows.last,
-    );
-    Ok(WaveLight::new(
-        propagate(windows),
-        turn,
-        [nx, ny],
-        layout.row,
-        first_frame,
-    ))
+    let (in_resin, focus) = (columns.in_resin, settings.focus_mm);
+    let turn = FrameRotation::new(light, grid, in_resin, uptake, focus, windows.last);
+    let propagation = propagate(windows);
+    let light = WaveLight::new(propagation, turn, [nx, ny], layout.row, first_frame);
+    Ok(light)
 }
 
 /// How rows of pixels and of voxels lie on each other.

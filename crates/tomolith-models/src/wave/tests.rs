@@ -317,16 +317,9 @@ fn derivative_error(model: &Precise) -> f64 {
     };
     let (more, less) = (at(1.0), at(-1.0));
     let mut grad = vec![0.0; pixels.len()];
-    built
-        .pull_back(
-            pixels,
-            0..pixels.grid.frames(),
-            &x,
-            &cotangent,
-            &mut grad,
-            &Work::new(),
-        )
-        .unwrap();
+    let (frames, work) = (0..pixels.grid.frames(), Work::new());
+    let pulled = built.pull_back(pixels, frames, &x, &cotangent, &mut grad, &work);
+    pulled.unwrap();
     let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
     (slope - 0.5 * (more - less)).abs() / (more.abs() + less.abs())
 }
@@ -346,16 +339,9 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
             built.add_along(pixels, [&x, &x], doses, &work).unwrap();
             let cotangent = vec![1.0; layout.len()];
             let mut grad = vec![0.0; pixels.len()];
-            built
-                .pull_back(
-                    pixels,
-                    0..pixels.grid.frames(),
-                    &x,
-                    &cotangent,
-                    &mut grad,
-                    &work,
-                )
-                .unwrap();
+            let frames = 0..pixels.grid.frames();
+            let pulled = built.pull_back(pixels, frames, &x, &cotangent, &mut grad, &work);
+            pulled.unwrap();
             built.kept_bytes()
         });
         let windows = built.propagation.windows();
