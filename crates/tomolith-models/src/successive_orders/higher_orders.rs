@@ -57,7 +57,8 @@ struct Moment {
 type Moments = Vec<Vec<f32>>;
 
 impl HigherOrders {
-    /// What `coarse` has of a light that the resin scatters, on from order 1 on `cells`; `channels` tell its unscattered light, blurred by bins.
+    /// For a light that the resin scatters, whose order 1 is on `cells`; `coarse` brings later orders to voxels. `channels` tell the unscattered light, and
+    /// `of_bins` is how far its bins blur it.
     pub(super) fn new(
         vial: &dyn Vial,
         of: &ScatteringLight<'_>,
