@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use tomolith_core::boxes::{AlignedBox, BoxTree};
-//! use tomolith_core::work::Run;
+//! use tomolith_core::work::Work;
 //! // A hundred beads on the x axis, 1 mm apart
 //! let boxes: Vec<AlignedBox> = (0..100).map(|i| AlignedBox::around([[f64::from(i), 0.0, 0.0]], 0.1)).collect();
 //! let tree = BoxTree::of(&boxes, &Work::new());

@@ -316,7 +316,8 @@ impl GpuBands {
         [dose, then]: [&str; 2],
         mut operands: Vec<Operand<'a>>,
         like: &GpuField,
-        (alpha, count): (f32, usize),
+        alpha: f32,
+        count: usize,
     ) -> Vec<f64> {
         operands.extend(self.data.operands());
         let find = &self.find;
@@ -355,7 +356,7 @@ impl BandKernel<GpuField> for GpuBands {
 
     fn value(&self, dose: &GpuField) -> f64 {
         let operands = vec![Operand::read("dose", dose.pieces())];
-        let sums = self.pass("value", ["dose[i]", ""], operands, dose, (0.0, 1));
+        let sums = self.pass("value", ["dose[i]", ""], operands, dose, 0.0, 1);
         self.loss.loss(sums[0])
     }
 
@@ -365,7 +366,7 @@ impl BandKernel<GpuField> for GpuBands {
             Operand::written("grad", grad.pieces()),
         ];
         let body = ["dose[i]", "grad[i] = found.y;"];
-        let sum = self.pass("gradient", body, operands, dose, (0.0, 1))[0];
+        let sum = self.pass("gradient", body, operands, dose, 0.0, 1)[0];
         let slope = self.loss.loss_slope(sum);
         if slope != 1.0 {
             grad.scale(slope as f32);
@@ -379,7 +380,7 @@ impl BandKernel<GpuField> for GpuBands {
             Operand::read("step", step.pieces()),
         ];
         let body = ["dose[i] + p.a.x * step[i]", "s1 += found.y * step[i];"];
-        let sums = self.pass("along", body, operands, dose, (alpha, 2));
+        let sums = self.pass("along", body, operands, dose, alpha, 2);
         let slope = self.loss.loss_slope(sums[0]);
         (self.loss.loss(sums[0]), slope * sums[1])
     }

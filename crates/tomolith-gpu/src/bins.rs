@@ -109,7 +109,8 @@ impl DeviceBins {
     pub(crate) fn add_back(
         &self,
         gpu: &Gpu,
-        (channel, frames): (usize, &Range<usize>),
+        channel: usize,
+        frames: &Range<usize>,
         bins: &GpuField,
         pixels: &Pixels<'_>,
     ) {

@@ -101,9 +101,9 @@ impl Convolution {
         };
         let along_x = Axis::complex(count * ny, half, [nx, px]);
         let along_y = Axis::complex(count, px * half, [ny, py]);
-        let planes = self.pass((2, &FROM_FIELDS), &along_z, 8, fields);
-        let planes = self.pass((1, &FORTH), &along_x, 8, &planes);
-        self.pass((0, &FORTH), &along_y, 8, &planes)
+        let planes = self.pass(2, &FROM_FIELDS, &along_z, 8, fields);
+        let planes = self.pass(1, &FORTH, &along_x, 8, &planes);
+        self.pass(0, &FORTH, &along_y, 8, &planes)
     }
 
     fn fields_of(&self, spectra: Buffer, count: usize) -> Buffer {
@@ -117,15 +117,16 @@ impl Convolution {
             counts: [half, nz],
             strides: [half, self.row],
         };
-        let planes = self.pass((0, &BACK), &along_y, 8, &spectra);
-        let planes = self.pass((1, &BACK), &along_x, 8, &planes);
-        self.pass((2, &TO_FIELDS), &along_z, 4, &planes)
+        let planes = self.pass(0, &BACK, &along_y, 8, &spectra);
+        let planes = self.pass(1, &BACK, &along_x, 8, &planes);
+        self.pass(2, &TO_FIELDS, &along_z, 4, &planes)
     }
 
     /// Transforms the lines of an axis into a new array, of elements of so many bytes.
     fn pass(
         &self,
-        (axis, (kernel, way)): (usize, &(Lines, usize)),
+        axis: usize,
+        (kernel, way): &(Lines, usize),
         lines: &Axis,
         element: usize,
         source: &Buffer,

@@ -145,7 +145,7 @@ impl DeviceStrips {
     fn counted(&self, gpu: &Gpu, views: &Range<usize>, axis: Axis) -> (Rows, u64) {
         let count = self.row_count(views, axis);
         let counts = gpu.buffer(8 * count as u64);
-        self.pass(gpu, (views, axis), &[&counts]);
+        self.pass(gpu, views, axis, &[&counts]);
         let found: Vec<u32> =
             bytemuck::pod_collect_to_vec(&gpu.read(&[(&counts, 8 * count as u64)]));
         let mut starts = Vec::with_capacity(count + 1);
@@ -174,11 +174,11 @@ impl DeviceStrips {
 
     /// Writes the entries of a chunk's voxels or slots.
     fn written(&self, gpu: &Gpu, views: &Range<usize>, axis: Axis, rows: &Rows, into: &Buffer) {
-        self.pass(gpu, (views, axis), &[&rows.starts, into]);
+        self.pass(gpu, views, axis, &[&rows.starts, into]);
     }
 
     /// Counts entries, or writes them where there are two buffers.
-    fn pass(&self, gpu: &Gpu, (views, axis): (&Range<usize>, Axis), out: &[&Buffer]) {
+    fn pass(&self, gpu: &Gpu, views: &Range<usize>, axis: Axis, out: &[&Buffer]) {
         let writes = out.len() == 2;
         let [nx, ny] = self.voxels;
         let first_slot = views.start * self.columns;
@@ -267,6 +267,16 @@ pub(crate) struct RowsOf<'a> {
     pub(crate) buffer: &'a Buffer,
     pub(crate) rows: Range<usize>,
     pub(crate) stride: usize,
+}
+
+impl<'a> RowsOf<'a> {
+    pub(crate) fn new(buffer: &'a Buffer, rows: Range<usize>, stride: usize) -> Self {
+        RowsOf {
+            buffer,
+            rows,
+            stride,
+        }
+    }
 }
 
 /// Entries of a submission, times vectors of lanes: below 100 ms on a small card.

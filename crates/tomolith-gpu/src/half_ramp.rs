@@ -85,7 +85,7 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
             runs: gpu.upload(bytemuck::cast_slice(&table)),
             batches: batches
                 .into_iter()
-                .map(|own| Batch::new(gpu, own))
+                .map(|(piece, frames)| Batch::new(gpu, piece, frames))
                 .collect(),
             scratch: gpu.buffer(4 * scratch),
         }
@@ -131,7 +131,7 @@ fn framed(runs: &[ColumnRun], first: usize, table: &mut Vec<[u32; 4]>) -> Frame 
 }
 
 impl Batch {
-    fn new(gpu: &Gpu, (piece, frames): (usize, Vec<Frame>)) -> Self {
+    fn new(gpu: &Gpu, piece: usize, frames: Vec<Frame>) -> Self {
         let mut at = 0;
         let words = |frame: &Frame| {
             let own = at;

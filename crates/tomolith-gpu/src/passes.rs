@@ -162,7 +162,7 @@ impl Pass<'_> {
         lengths: &[usize],
         count: usize,
     ) -> Pending {
-        self.begin(gpu, operands, lengths, (count, Combine::Sum))
+        self.begin(gpu, operands, lengths, count, Combine::Sum)
     }
 
     /// Does it with all elements; the largest `s0`.
@@ -178,8 +178,7 @@ impl Pass<'_> {
         lengths: &[usize],
         count: usize,
     ) -> Vec<u32> {
-        let Pending { buffer, rows, .. } =
-            self.begin(gpu, operands, lengths, (count, Combine::Most));
+        let Pending { buffer, rows, .. } = self.begin(gpu, operands, lengths, count, Combine::Most);
         let found = words(&gpu.read(&[(&buffer, 4 * (rows * count) as u64)]));
         let of = |k: usize| found.iter().skip(k).step_by(count).copied().max();
         (0..count).map(|k| of(k).unwrap_or(0)).collect()
@@ -190,7 +189,8 @@ impl Pass<'_> {
         gpu: &Gpu,
         operands: &[Operand<'_>],
         lengths: &[usize],
-        (count, how): (usize, Combine),
+        count: usize,
+        how: Combine,
     ) -> Pending {
         let of_piece = |n: &usize| n.div_ceil(CHUNK as usize);
         let all: usize = lengths.iter().map(of_piece).sum();

@@ -127,7 +127,7 @@ impl GpuPaths {
                 updates: EVENT * paths.updates,
                 ways: EVENTS,
             };
-            self.straight.follow((light, &frames), &walk, work)?;
+            self.straight.follow(light, &frames, &walk, work)?;
         }
         Ok(())
     }

@@ -277,7 +277,8 @@ impl GpuRays {
     /// Follows the rays of some frames of a light.
     pub(crate) fn follow(
         &self,
-        (light, frames): (usize, &Range<usize>),
+        light: usize,
+        frames: &Range<usize>,
         walk: &Walk<'_>,
         work: &Work,
     ) -> Result<()> {
@@ -293,7 +294,7 @@ impl GpuRays {
                 work.check()?;
                 self.gpu.check()?;
                 let together = first..slots.end.min(first + most);
-                self.follow_slots((light, chunk), &together, walk);
+                self.follow_slots(light, chunk, &together, walk);
                 self.gpu.submit();
             }
         }
@@ -318,7 +319,8 @@ impl GpuRays {
     /// A walk of unscattered light between patterns, whose values count `scale` times, and voxels.
     fn walk<'a>(
         &'a self,
-        (name, source): (&'static str, &'a dyn Fn() -> String),
+        name: &'static str,
+        source: &'a dyn Fn() -> String,
         patterns: &'a GpuField,
         voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
         scale: f32,
@@ -372,8 +374,7 @@ impl GpuRays {
             Some(_) => "dose of weighted rays",
         };
         let source = || adding(&on_voxels(harmonic.is_some()));
-        let kernel: (_, &dyn Fn() -> String) = (name, &source);
-        let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit, harmonic);
+        let walk = self.walk(name, &source, x, voxels.collect(), 1.0 / unit, harmonic);
         self.follow_all(frames, &walk, work)?;
         add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
         self.gpu.submit();
@@ -402,8 +403,7 @@ impl GpuRays {
             Some(_) => "adjoint of weighted rays",
         };
         let source = || collecting(&on_voxels(harmonic.is_some()));
-        let kernel: (_, &dyn Fn() -> String) = (name, &source);
-        let walk = self.walk(kernel, grad, voxels.collect(), 1.0, harmonic);
+        let walk = self.walk(name, &source, grad, voxels.collect(), 1.0, harmonic);
         self.follow_all(frames, &walk, work)?;
         self.gpu.check()
     }
@@ -435,11 +435,11 @@ impl GpuRays {
     /// Follows the rays of some frames, counted through all lights.
     fn follow_all(&self, frames: &Range<usize>, walk: &Walk<'_>, work: &Work) -> Result<()> {
         let mut lights = own_frames(&self.geometry.data.patterns, frames);
-        lights.try_for_each(|(light, frames)| self.follow((light, &frames), walk, work))
+        lights.try_for_each(|(light, frames)| self.follow(light, &frames, walk, work))
     }
 
     /// Follows the rays of some slots between all pieces.
-    fn follow_slots(&self, (light, chunk): (usize, &Chunk), slots: &Range<usize>, walk: &Walk<'_>) {
+    fn follow_slots(&self, light: usize, chunk: &Chunk, slots: &Range<usize>, walk: &Walk<'_>) {
         let device = &self.geometry.lights[light];
         let layout = &self.geometry.data.patterns[light];
         let (output, corner) = (walk.output, walk.corner);

@@ -237,7 +237,7 @@ impl DeviceScattered {
             self.source
                 .collect(channel, frames, &light, &mut bins, work)?;
             self.bins
-                .add_back(&self.gpu, (channel, frames), &bins, pixels);
+                .add_back(&self.gpu, channel, frames, &bins, pixels);
         }
         Ok(())
     }

@@ -228,7 +228,8 @@ impl GpuStrips {
     fn expand(
         &self,
         light: &DeviceLight,
-        (chunk, frames): (&Chunk, &Range<usize>),
+        chunk: &Chunk,
+        frames: &Range<usize>,
         x: &GpuField,
         lanes: &Buffer,
     ) {
@@ -268,7 +269,8 @@ impl GpuStrips {
     fn collect(
         &self,
         light: &DeviceLight,
-        (chunk, frames): (&Chunk, &Range<usize>),
+        chunk: &Chunk,
+        frames: &Range<usize>,
         lanes: &Buffer,
         grad: &GpuField,
     ) {
@@ -310,23 +312,18 @@ impl GpuStrips {
         }
     }
 
-    /// out += taps of source, row by row of lanes.
-    fn resample(
-        &self,
-        taps: &DeviceTaps,
-        (out, out_stride): (&Buffer, usize),
-        (source, stride, sources): (&Buffer, usize, usize),
-        rows: usize,
-    ) {
+    /// out += taps of source, row by row, of which each has so many numbers in `source`.
+    fn resample(&self, taps: &DeviceTaps, out: &RowsOf<'_>, source: &RowsOf<'_>, sources: usize) {
+        let rows = out.rows.len();
         let parameters = [
             rows as u32,
             taps.count as u32,
-            out_stride as u32,
-            stride as u32,
+            4 * out.stride as u32,
+            4 * source.stride as u32,
             taps.taps as u32,
             sources as u32,
         ];
-        let buffers = [out, source, &taps.first, &taps.weights];
+        let buffers = [out.buffer, source.buffer, &taps.first, &taps.weights];
         let groups = ((rows * taps.count) as u64).div_ceil(u64::from(THREADS));
         self.gpu
             .run("resample", &resample, &parameters, &buffers, groups);
@@ -367,26 +364,21 @@ impl GpuStrips {
             self.gpu.check()?;
             let product = self.product(light, chunk);
             product.entries(&self.gpu, true);
-            self.expand(light, (chunk, frames), x, &lanes);
-            let source = RowsOf {
-                buffer: &lanes,
-                rows: 0..chunk.views.len() * light.columns,
-                stride: light.lanes,
-            };
+            self.expand(light, chunk, frames, x, &lanes);
+            let slots = chunk.views.len() * light.columns;
+            let source = RowsOf::new(&lanes, 0..slots, light.lanes);
             for ((voxels, piece), temporary) in self.voxels_of(dose).zip(&temporary) {
-                let out = RowsOf {
-                    buffer: temporary.as_ref().unwrap_or(piece),
-                    rows: voxels,
-                    stride: temporary.as_ref().map_or(row / 4, |_| light.lanes),
-                };
+                let stride = temporary.as_ref().map_or(row / 4, |_| light.lanes);
+                let out = RowsOf::new(temporary.as_ref().unwrap_or(piece), voxels, stride);
                 product.add(&self.gpu, true, &out, &source);
             }
         }
         if let Some([to_slices, _]) = &light.spread {
             for ((voxels, piece), temporary) in self.voxels_of(dose).zip(&temporary) {
                 let Some(temporary) = temporary else { continue };
-                let source = (temporary, 4 * light.lanes, light.to_lanes.count);
-                self.resample(to_slices, (piece, row), source, voxels.len());
+                let source = RowsOf::new(temporary, voxels.clone(), light.lanes);
+                let out = RowsOf::new(piece, voxels, row / 4);
+                self.resample(to_slices, &out, &source, light.to_lanes.count);
             }
         }
         Ok(())
@@ -427,9 +419,9 @@ impl GpuStrips {
             .map(|(voxels, piece)| {
                 let own = self.rows_buffer(light, voxels.len())?;
                 let [_, to_rows] = light.spread.as_ref()?;
-                let slices = self.output().grid.shape[0];
-                let out = (&own, 4 * light.lanes);
-                self.resample(to_rows, out, (piece, row, slices), voxels.len());
+                let out = RowsOf::new(&own, voxels.clone(), light.lanes);
+                let source = RowsOf::new(piece, voxels, row / 4);
+                self.resample(to_rows, &out, &source, self.output().grid.shape[0]);
                 Some(own)
             })
             .collect();
@@ -440,20 +432,13 @@ impl GpuStrips {
             product.entries(&self.gpu, false);
             let slots = chunk.views.len() * light.columns;
             self.gpu.clear(&lanes, (16 * slots * light.lanes) as u64);
-            let out = RowsOf {
-                buffer: &lanes,
-                rows: 0..slots,
-                stride: light.lanes,
-            };
+            let out = RowsOf::new(&lanes, 0..slots, light.lanes);
             for ((voxels, piece), of_rows) in self.voxels_of(cotangent).zip(&of_rows) {
-                let source = RowsOf {
-                    buffer: of_rows.as_ref().unwrap_or(piece),
-                    rows: voxels,
-                    stride: of_rows.as_ref().map_or(row / 4, |_| light.lanes),
-                };
+                let stride = of_rows.as_ref().map_or(row / 4, |_| light.lanes);
+                let source = RowsOf::new(of_rows.as_ref().unwrap_or(piece), voxels, stride);
                 product.add(&self.gpu, false, &out, &source);
             }
-            self.collect(light, (chunk, frames), &lanes, grad);
+            self.collect(light, chunk, frames, &lanes, grad);
         }
         Ok(())
     }

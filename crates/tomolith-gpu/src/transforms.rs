@@ -102,11 +102,10 @@ impl Transform {
             if let Some([n1, n2]) = self.split {
                 let between = self.gpu.buffer((8 * lines * self.length) as u64);
                 all.push(&between);
-                self.part(kernel, (Part::First, n1), lines * n2, &parameters, &all);
-                self.part(kernel, (Part::Second, n2), lines * n1, &parameters, &all);
+                self.part(kernel, Part::First, n1, lines * n2, &parameters, &all);
+                self.part(kernel, Part::Second, n2, lines * n1, &parameters, &all);
             } else {
-                let whole = (Part::Whole, self.length);
-                self.part(kernel, whole, lines, &parameters, &all);
+                self.part(kernel, Part::Whole, self.length, lines, &parameters, &all);
             }
             if lines * self.length > MOST_TOGETHER {
                 self.gpu.submit();
@@ -118,7 +117,8 @@ impl Transform {
     fn part(
         &self,
         kernel: &Lines,
-        (part, length): (Part, usize),
+        part: Part,
+        length: usize,
         lines: usize,
         parameters: &[u32],
         buffers: &[&Buffer],
@@ -208,7 +208,7 @@ fn turn(k: u32) -> vec2<f32> {{ let t = turns[k]; return vec2(t.x, {sign}t.y); }
         );
         let mut done = 1;
         for radix in radices(length) {
-            self.stage(&mut text, (length, lines), (radix, done));
+            self.stage(&mut text, length, lines, radix, done);
             done *= radix;
         }
         let _ = write!(
@@ -224,12 +224,7 @@ fn turn(k: u32) -> vec2<f32> {{ let t = turns[k]; return vec2(t.x, {sign}t.y); }
     }
 
     /// A stage of one radix, after stages whose radices have the product `done`.
-    fn stage(
-        &self,
-        text: &mut String,
-        (length, lines): (usize, usize),
-        (radix, done): (usize, usize),
-    ) {
+    fn stage(&self, text: &mut String, length: usize, lines: usize, radix: usize, done: usize) {
         let of_line = length / radix;
         let sums = lines * of_line;
         let rounds = sums.div_ceil(THREADS);

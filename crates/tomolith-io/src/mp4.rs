@@ -104,7 +104,7 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, work: &Work
                 .err()
                 .unwrap_or_else(|| refused(path, &message))
         })?;
-    write_whole_under(path, (&work.aside(), 0), |file| {
+    write_whole_under(path, &work.aside(), 0, |file| {
         let mux = |message: String| Refused::Io(std::io::Error::other(message));
         let mut muxer = MuxerBuilder::new(file)
             .video(VideoCodec::H264, width as u32, height as u32, frame_rate)
@@ -220,7 +220,7 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>, work: &Work) -> Result<Movie
     let steps = work.steps(track.samples.len());
     let sums: Vec<(u8, u64)> = groups(track.samples.len())
         .into_iter()
-        .par_map(|group| compare(&track, group, (set, size), &steps))
+        .par_map(|group| compare(&track, group, set, size, &steps))
         .into_iter()
         .collect::<Result<_, String>>()
         .map_err(|message| work.check().err().unwrap_or_else(|| damaged(&message)))?;
@@ -240,7 +240,8 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>, work: &Work) -> Result<Movie
 fn compare(
     track: &Track<'_>,
     group: std::ops::Range<usize>,
-    (set, size): (&FrameSet<'_>, (usize, usize)),
+    set: &FrameSet<'_>,
+    size: (usize, usize),
     steps: &Steps<'_>,
 ) -> Result<(u8, u64), String> {
     let (mut largest, mut squares) = (0, 0);

@@ -67,7 +67,7 @@ fn must_fit(path: &Path, shape: [usize; 3], values: usize) -> Result<()> {
 pub fn write_volume<T: Element>(path: &Path, volume: &Volume<T>, work: &Work) -> Result<()> {
     let (shape, values) = (volume.grid.shape, &volume.values[..]);
     must_fit(path, shape, values.len())?;
-    write_whole_under(path, (work, size_of_val(values)), |file| {
+    write_whole_under(path, work, size_of_val(values), |file| {
         Ok(write_array(file, &shape, values)?)
     })
 }
@@ -128,7 +128,7 @@ fn array_name(kind: &str, light: Option<&str>) -> String {
 pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], work: &Work) -> Result<()> {
     let arrays = lights.iter().flat_map(|pair| [Some(pair.shown), pair.raw]);
     let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
-    write_whole_under(path, (work, bytes), |file| {
+    write_whole_under(path, work, bytes, |file| {
         let mut npz = ArchiveWriter::new(file);
         for pair in lights {
             for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {

@@ -36,7 +36,7 @@ pub(super) fn write(
     values: Values<'_>,
     work: &Work,
 ) -> Result<()> {
-    write_whole_under(path, (work, values.bytes()), |file| {
+    write_whole_under(path, work, values.bytes(), |file| {
         file.write_all(header(name, grid, values).as_bytes())?;
         Ok(values.write(file)?)
     })

@@ -46,7 +46,7 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], work: &Work) -> Result<
     for set in lights {
         set.check()?;
     }
-    write_whole_under(path, (work, 0), |file| {
+    write_whole_under(path, work, 0, |file| {
         let mut npz = ArchiveWriter::new(file);
         for set in lights {
             let name = |what| name_of(what, set.light);

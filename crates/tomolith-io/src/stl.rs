@@ -54,7 +54,7 @@ pub fn write_stl_pieces(
 ) -> Result<()> {
     let refuse =
         |reason: &str| Error::unsupported(format!("the surface for {}", path.display()), reason);
-    write_whole_under(path, (work, 0), |file| {
+    write_whole_under(path, work, 0, |file| {
         file.write_all(&title_bytes(title))?;
         let place_of_count = file.stream_position()?;
         file.write_all(&0u32.to_le_bytes())?;

@@ -31,7 +31,7 @@ const MOST_STANDARD: usize = (u32::MAX - (1 << 26)) as usize;
 /// # Errors
 /// Those of the file; [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn write(path: &Path, grid: &VolumeGrid, values: Values<'_>, work: &Work) -> Result<()> {
-    write_whole_under(path, (work, values.bytes()), |file| {
+    write_whole_under(path, work, values.bytes(), |file| {
         let written = match values.bytes() > MOST_STANDARD {
             true => pages::<_, TiffKindBig>(file, grid, values),
             false => pages::<_, TiffKindStandard>(file, grid, values),

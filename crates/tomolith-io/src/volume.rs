@@ -127,7 +127,7 @@ pub fn write_values(
     values.must_fit(grid, name, path)?;
     let another = || Error::format(path, "another ending", ENDINGS);
     match VolumeFileFormat::of(path).ok_or_else(another)? {
-        VolumeFileFormat::Npy => write_whole_under(path, (work, values.bytes()), |file| {
+        VolumeFileFormat::Npy => write_whole_under(path, work, values.bytes(), |file| {
             Ok(match values {
                 Values::F32(values) => write_array(file, &grid.shape, values),
                 Values::U8(values) => write_array(file, &grid.shape, values),

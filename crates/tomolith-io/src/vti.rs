@@ -41,7 +41,7 @@ pub fn write_vti(
         values.must_fit(grid, name, path)?;
     }
     let bytes = arrays.iter().map(|(_, values)| values.bytes()).sum();
-    write_whole_under(path, (work, bytes), |file| {
+    write_whole_under(path, work, bytes, |file| {
         file.write_all(header(grid, arrays).as_bytes())?;
         for (_, values) in arrays {
             file.write_all(&(values.bytes() as u64).to_le_bytes())?;

@@ -77,7 +77,7 @@ pub fn write_whole<T>(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
 ) -> Result<T> {
-    write_whole_under(path, (&Work::new(), 0), write)
+    write_whole_under(path, &Work::new(), 0, write)
 }
 
 /// Writes a text.
@@ -94,7 +94,8 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
 /// As [`write_whole`]; [`Error::Canceled`], with `path` as it was.
 pub fn write_whole_under<T>(
     path: &Path,
-    (work, bytes): (&Work, usize),
+    work: &Work,
+    bytes: usize,
     write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
 ) -> Result<T> {
     let aside = aside(path)?;

@@ -32,6 +32,8 @@ pub(crate) struct Illumination {
     absorbed: HostField,
     /// What the frames of a cotangent get, for [`pull`](Self::pull).
     back: HostField,
+    /// Frames whose gradient the caller wants.
+    wanted: Range<usize>,
     is_dark: bool,
 }
 
@@ -41,8 +43,15 @@ impl Illumination {
             lit: model.new_patterns()?,
             absorbed: model.new_dose()?,
             back: HostField::default(),
+            wanted: 0..0,
             is_dark: true,
         })
+    }
+
+    /// Only these frames get a gradient.
+    pub(crate) fn with_wanted(mut self, frames: Range<usize>) -> Self {
+        self.wanted = frames;
+        self
     }
 
     /// Energy of these frames, mJ/mm³, `lit` with mJ/mm² of a pattern value of 1.
@@ -88,13 +97,14 @@ impl Illumination {
         }
     }
 
-    /// grad += the transpose of [`absorb`](Self::absorb) on a cotangent, for the frames that are `wanted` of those that shine.
+    /// grad += the transpose of [`absorb`](Self::absorb) on a cotangent, for the frames that are wanted of those that shine.
     pub(crate) fn pull(
         &mut self,
         model: &Model,
         x: &HostField,
-        (lit, wanted): (&[(usize, f64)], &Range<usize>),
-        (cotangent, grad): (&HostField, &mut [f32]),
+        lit: &[(usize, f64)],
+        cotangent: &HostField,
+        grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
         if self.back.is_empty() {
@@ -102,14 +112,15 @@ impl Illumination {
         }
         self.light(model, x, lit);
         for neighbors in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
-            let first = neighbors[0].0.max(wanted.start);
-            let end = (neighbors[neighbors.len() - 1].0 + 1).min(wanted.end);
+            let first = neighbors[0].0.max(self.wanted.start);
+            let end = (neighbors[neighbors.len() - 1].0 + 1).min(self.wanted.end);
             if first < end {
                 let frames = first..end;
                 model.pullback_of(frames, &self.lit, cotangent, &mut self.back, &work.aside())?;
             }
         }
-        for &(frame, energy) in lit.iter().filter(|(frame, _)| wanted.contains(frame)) {
+        let is_wanted = |(frame, _): &&(usize, f64)| self.wanted.contains(frame);
+        for &(frame, energy) in lit.iter().filter(is_wanted) {
             for (range, quantity) in elements_of(model.patterns(), &(frame..frame + 1)) {
                 let factor = factor(quantity, energy);
                 let from = &self.back.as_slice()[range.clone()];

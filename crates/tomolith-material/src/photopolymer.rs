@@ -318,15 +318,9 @@ impl Photopolymer {
                 Desk::default,
                 |desk, (i, (mut states, mut grads))| {
                     let from = i * CHUNK;
-                    let len = states[0].len();
-                    let du = desk.pull(
-                        chain,
-                        before,
-                        (row, absorbed),
-                        (from, len),
-                        seconds,
-                        &mut states,
-                    );
+                    let mut u = vec![0.0; states[0].len()];
+                    drive(row, absorbed, from, &mut u);
+                    let du = desk.pull(chain, before, from, u, seconds, &mut states);
                     for ((grad, &weight), energy) in grads.iter_mut().zip(row).zip(absorbed) {
                         if weight != 0.0 && !energy.is_empty() {
                             let sums = grad.iter_mut().zip(du.iter());
@@ -387,22 +381,20 @@ struct Desk {
 }
 
 impl Desk {
-    /// Cotangents of a chunk from after the stages to before them; returns that of the drive.
+    /// Cotangents of a chunk that begins at voxel `from` and has the drive `u`, from after the stages to before them; returns that of the drive.
     fn pull(
         &mut self,
         chain: &Chain,
         before: &[HostField],
-        (row, absorbed): (&[f32], &[&[f32]]),
-        (from, len): (usize, usize),
+        from: usize,
+        mut u: Vec<f32>,
         seconds: f32,
         cotangent: &mut [&mut [f32]],
     ) -> &[f32] {
         let mut states: Vec<Vec<f32>> = before
             .iter()
-            .map(|v| v.as_slice()[from..from + len].to_vec())
+            .map(|v| v.as_slice()[from..from + u.len()].to_vec())
             .collect();
-        let mut u = vec![0.0; len];
-        drive(row, absorbed, from, &mut u);
         self.states.clear();
         self.drives.clear();
         for stage in &chain.stages {
@@ -412,7 +404,7 @@ impl Desk {
             stage.forward(&mut views, &mut u, seconds);
         }
         self.du.clear();
-        self.du.resize(len, 0.0);
+        self.du.resize(u.len(), 0.0);
         for (i, stage) in chain.stages.iter().enumerate().rev() {
             let views: Vec<&[f32]> = self.states[i].iter().map(Vec::as_slice).collect();
             stage.pullback(&views, &self.drives[i], cotangent, &mut self.du, seconds);

@@ -105,30 +105,30 @@ impl Printing {
         back
     }
 
-    /// One step back: `back` from after it to before it, and what its light is worth added to `grad`.
+    /// One step back: the cotangent from after it to before it, and what its light is worth added to `grad`.
     fn pull_step(
         &self,
         block: &Block,
-        x: &[HostField],
-        (before, absorbed): (&State, &[Vec<f32>]),
+        before: &State,
+        absorbed: &[Vec<f32>],
         scratch: &mut Scratch,
-        (back, grad): (&mut State, &mut HostField),
+        grad: &mut HostField,
         work: &Work,
     ) -> Result<()> {
         work.check()?;
+        let Scratch {
+            x,
+            light,
+            back,
+            of_energy,
+        } = scratch;
         let views: Vec<&[f32]> = absorbed.iter().map(Vec::as_slice).collect();
         self.material
-            .pullback_step(before, &views, block.seconds, back, &mut scratch.of_energy)?;
-        for (l, light) in scratch.light.iter_mut().enumerate() {
+            .pullback_step(before, &views, block.seconds, back, of_energy)?;
+        for (l, light) in light.iter_mut().enumerate() {
             let own = &mut grad.as_mut_slice()[self.lights.ranges[l].clone()];
-            let lit = (block.lit[l].as_slice(), &scratch.wanted[l]);
-            light.pull(
-                self.lights.light(l),
-                &x[l],
-                lit,
-                (&scratch.of_energy[l], own),
-                work,
-            )?;
+            let model = self.lights.light(l);
+            light.pull(model, &x[l], &block.lit[l], &of_energy[l], own, work)?;
         }
         Ok(())
     }
@@ -136,10 +136,12 @@ impl Printing {
 
 /// What the way back through time needs, made once.
 struct Scratch {
+    /// Patterns of each light.
+    x: Vec<HostField>,
     light: Vec<Illumination>,
+    /// Cotangent of the state.
+    back: State,
     of_energy: Vec<HostField>,
-    /// Frames of each light whose gradient the caller wants.
-    wanted: Vec<Range<usize>>,
 }
 
 impl Renewal<HostField> for Printing {
@@ -187,12 +189,9 @@ impl DoseModel for Printing {
         work: &Work,
     ) -> Result<()> {
         let x = self.of_lights(x);
-        let mut scratch = Scratch {
-            light: self.illuminations()?,
-            of_energy: (self.lights.optics.iter().map(|model| model.new_dose()))
-                .collect::<Result<_>>()?,
-            wanted: self.lights.own_frames(&frames),
-        };
+        let light = self.illuminations()?.into_iter();
+        let light = light.zip(self.lights.own_frames(&frames));
+        let mut light: Vec<_> = light.map(|(light, own)| light.with_wanted(own)).collect();
         let stride = (self.blocks.len() as f64).sqrt().ceil().max(1.0) as usize;
         let mut state = self.material.start()?;
         let mut kept = Vec::new();
@@ -200,27 +199,32 @@ impl DoseModel for Printing {
             if i % stride == 0 {
                 kept.push(state.clone());
             }
-            self.step(block, &x, &mut scratch.light, &mut state, work)?;
+            self.step(block, &x, &mut light, &mut state, work)?;
         }
         for (range, _) in elements_of(&self.lights.patterns, &frames) {
             grad.as_mut_slice()[range].fill(0.0);
         }
-        let mut back = self.unread(&state, cotangent);
+        let of_energy = self.lights.optics.iter().map(|model| model.new_dose());
+        let mut scratch = Scratch {
+            x,
+            light,
+            back: self.unread(&state, cotangent),
+            of_energy: of_energy.collect::<Result<_>>()?,
+        };
         for (segment, mut state) in kept.into_iter().enumerate().rev() {
             let blocks = &self.blocks[segment * stride..];
             let blocks = &blocks[..stride.min(blocks.len())];
             let mut states = Vec::new();
             for block in blocks {
                 let before = state.clone();
-                self.step(block, &x, &mut scratch.light, &mut state, work)?;
+                self.step(block, &scratch.x, &mut scratch.light, &mut state, work)?;
                 let lights = scratch.light.iter();
                 let absorbed = lights.map(|l| l.absorbed().to_vec()).collect::<Vec<_>>();
                 states.push((before, absorbed));
             }
             while let Some((before, absorbed)) = states.pop() {
                 let block = &blocks[states.len()];
-                let before = (&before, &absorbed[..]);
-                self.pull_step(block, &x, before, &mut scratch, (&mut back, grad), work)?;
+                self.pull_step(block, &before, &absorbed, &mut scratch, grad, work)?;
             }
         }
         Ok(())

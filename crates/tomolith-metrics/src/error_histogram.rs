@@ -56,7 +56,7 @@ impl ErrorHistogram {
             .zip(response.par_chunks(BLOCK))
             .zip(wanted.par_chunks(BLOCK))
             .fold(empty, |counts, ((labels, response), wanted)| {
-                counted(counts, (labels, response, wanted), reach)
+                counted(counts, labels, response, wanted, reach)
             })
             .reduce(empty, joined);
         ErrorHistogram { reach, counts }
@@ -92,7 +92,9 @@ impl ErrorHistogram {
 /// Counts with those of a block of voxels.
 fn counted(
     mut counts: Vec<[u64; 2]>,
-    (labels, response, wanted): (&[u8], &[f32], &[f32]),
+    labels: &[u8],
+    response: &[f32],
+    wanted: &[f32],
     reach: f64,
 ) -> Vec<[u64; 2]> {
     for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {

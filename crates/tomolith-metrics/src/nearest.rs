@@ -4,7 +4,7 @@
 //! start well. Exact up to f32.
 //!
 //! ```
-//! use tomolith_core::work::Run;
+//! use tomolith_core::work::Work;
 //! use tomolith_metrics::isosurface::Isosurface;
 //! use tomolith_metrics::nearest::TriangleTree;
 //! let surface = Isosurface { corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles: vec![[0, 1, 2]] };

@@ -347,7 +347,7 @@ impl<'a> Print<'a> {
 
     /// Response of a row of voxels that begins at a position, nothing outside of the resin.
     pub(super) fn printed_row(&self, first: usize, threshold: f64, row: &mut [f32]) {
-        printed_row((self.labels, self.response), first, threshold, row);
+        printed_row(self.labels, self.response, first, threshold, row);
     }
 
     /// Inside fraction of a row of voxels, or 0 and 1 by label when none is known.
@@ -392,18 +392,20 @@ impl<'a> Print<'a> {
 /// # Errors
 /// What `take` refuses; [`Error::Canceled`].
 pub fn surface_pieces<E: From<Error>>(
-    (labels, response): (&Volume<u8>, &Volume<f32>),
+    labels: &Volume<u8>,
+    response: &Volume<f32>,
     threshold: f64,
     take: impl FnMut(&Isosurface) -> std::result::Result<(), E>,
     work: &Work,
 ) -> std::result::Result<(), E> {
-    let fill = |i, row: &mut [f32]| printed_row((labels, response), i, threshold, row);
+    let fill = |i, row: &mut [f32]| printed_row(labels, response, i, threshold, row);
     isosurface_pieces(&labels.grid, threshold, fill, take, work)
 }
 
 /// See [`Print::printed_row`].
 fn printed_row(
-    (labels, response): (&Volume<u8>, &Volume<f32>),
+    labels: &Volume<u8>,
+    response: &Volume<f32>,
     first: usize,
     threshold: f64,
     row: &mut [f32],
@@ -545,7 +547,7 @@ mod tests {
             Ok(())
         };
         let threshold = print.gel_threshold().unwrap();
-        surface_pieces((&labels, &response), threshold, take, &Work::new()).unwrap();
+        surface_pieces(&labels, &response, threshold, take, &Work::new()).unwrap();
         let [part, void] = print.printed();
         let measured = (part + void) as f64 * grid.voxel_mm3();
         assert!(pieces > 4 && void == 0);

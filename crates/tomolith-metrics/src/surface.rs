@@ -458,7 +458,7 @@ mod tests {
     use tomolith_core::target::label::{PART, VOID};
 
     fn compare(grid: &VolumeGrid, radii: [f64; 2], shift: f64, most: usize) -> SurfaceDistance {
-        compare_from(grid, radii, shift, (most, usize::MAX))
+        compare_from(grid, radii, shift, most, usize::MAX)
     }
 
     /// On at most so many voxels, from at most so many corners.
@@ -466,7 +466,8 @@ mod tests {
         grid: &VolumeGrid,
         radii: [f64; 2],
         shift: f64,
-        (most, corners): (usize, usize),
+        most: usize,
+        corners: usize,
     ) -> SurfaceDistance {
         let (inside, response) = (ball(grid, radii[0], 0.0), ball(grid, radii[1], shift));
         let labels = labeled(&inside);
@@ -483,7 +484,7 @@ mod tests {
         }
         assert_eq!(d.coarsened, 1);
         let near = compare(&grid, [1.2, 1.35], 0.2, usize::MAX);
-        let few = compare_from(&grid, [1.2, 1.35], 0.2, (usize::MAX, 500));
+        let few = compare_from(&grid, [1.2, 1.35], 0.2, usize::MAX, 500);
         near!(few.mean_mm / near.mean_mm, 1.0, 0.03, "{few:?} {near:?}");
         assert!((0.9..=1.0).contains(&(few.hausdorff_mm / near.hausdorff_mm)));
         let same = compare(&grid, [1.2, 1.2], 0.0, usize::MAX);

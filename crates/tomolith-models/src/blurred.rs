@@ -84,16 +84,19 @@ impl Spreads {
         }
     }
 
-    /// to ← B·from of some frames, or Bᵀ·from where the sign is −1: the same sums with the spread turned about its middle.
+    /// to ← B·from of some frames, `lit` the layouts of patterns that are spread; or Bᵀ·from where the sign is −1: the same sums with the spread
+    /// turned about its middle.
     pub(crate) fn carry(
         &self,
         frames: &Range<usize>,
-        (from_layouts, from): (&[PatternLayout], &[f32]),
-        (to_layouts, to): (&[PatternLayout], &mut [f32]),
+        lit: &[PatternLayout],
+        from: &[f32],
+        to: &mut [f32],
         sign: isize,
     ) {
         for (light, own) in own_frames(&self.patterns, frames) {
-            let (source, sink) = (&from_layouts[light], &to_layouts[light]);
+            let (plain, lit) = (&self.patterns[light], &lit[light]);
+            let (source, sink) = if sign > 0 { (plain, lit) } else { (lit, plain) };
             let elements = sink.elements_of(own.clone());
             let Some(spread) = &self.lights[light] else {
                 to[elements].copy_from_slice(&from[source.elements_of(own)]);

@@ -130,8 +130,8 @@ impl MaskedModel {
             return Ok(x);
         };
         let mut lit = self.model.new_patterns()?;
-        let to = (self.model.patterns(), lit.as_mut_slice());
-        spreads.carry(frames, (&spreads.patterns, x.as_slice()), to, 1);
+        let layouts = self.model.patterns();
+        spreads.carry(frames, layouts, x.as_slice(), lit.as_mut_slice(), 1);
         Ok(Cow::Owned(lit))
     }
 
@@ -226,8 +226,8 @@ impl DoseModel for MaskedModel {
         if let Some(spreads) = &self.spreads {
             let mut back = lit.zeros_like();
             (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut back, work)?;
-            let from = (self.model.patterns(), back.as_slice());
-            spreads.carry(&frames, from, (&spreads.patterns, grad.as_mut_slice()), -1);
+            let (layouts, grad) = (self.model.patterns(), grad.as_mut_slice());
+            spreads.carry(&frames, layouts, back.as_slice(), grad, -1);
         } else {
             (self.model).pullback_of(frames.clone(), &lit, cotangent, grad, work)?;
         }

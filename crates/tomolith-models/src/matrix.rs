@@ -28,7 +28,7 @@
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
 //! use tomolith_io::csr::Csr;
-//! use tomolith_models::{DoseModel, Run, matrix::MatrixModel};
+//! use tomolith_models::{DoseModel, Work, matrix::MatrixModel};
 //! // Two pixels of one frame, three voxels: the first pixel lights voxels 0 and 1, the second voxel 2
 //! let csr = Csr::from_entries(3, 2, &[(0, 0, 0.5), (1, 0, 0.25), (2, 1, 1.0)]);
 //! let pixels = PatternGrid::full_turn(1, 0.0, 4, 2, 0.1);

@@ -180,8 +180,8 @@ impl ModelFamily for Params {
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let params = self.for_purpose(&input.scene);
         let (model, straight) = (params.made(input, model)?, params.made(input, straight)?);
-        let light = (input.scene.lights, input.scene.optics);
-        model.to_path_form(&straight, light, &limits(&params), input.work)
+        let (lights, optics) = (input.scene.lights, input.scene.optics);
+        model.to_path_form(&straight, lights, optics, &limits(&params), input.work)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {

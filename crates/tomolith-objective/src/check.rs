@@ -15,7 +15,8 @@ use tomolith_core::response::Response;
 /// When it is refused.
 pub fn of_ring(
     model: &SmallModel,
-    (name, parameters): (&str, Value),
+    name: &str,
+    parameters: Value,
     response: Arc<dyn Response>,
 ) -> Box<dyn Objective<HostField>> {
     let (target, labels) = model.ring();

@@ -314,8 +314,8 @@ mod tests {
         ];
         for row in OBJECTIVES {
             let make = |response: &Arc<dyn Response>| {
-                let parameters = (row.name, example(row).value);
-                let made = check::of_ring(&model, parameters, Arc::clone(response));
+                let parameters = example(row).value;
+                let made = check::of_ring(&model, row.name, parameters, Arc::clone(response));
                 Sum::new(vec![(2.0, made)]).unwrap()
             };
             let mut changed = make(&own);
@@ -339,7 +339,7 @@ mod tests {
             for q in [0.5, 1.0, 2.0, 5.0] {
                 let json =
                     json!({"p": p, "q": q, "epsilon": 0.1, "part_weight": 2.0, "void_weight": 0.5});
-                let objective = check::of_ring(&model, ("bclp", json), Arc::new(Identity));
+                let objective = check::of_ring(&model, "bclp", json, Arc::new(Identity));
                 check::objective(&*objective, &dose)
                     .unwrap_or_else(|e| panic!("p = {p}, q = {q}: {e}"));
             }
@@ -585,10 +585,8 @@ l2n | {"lower": 0.7, "upper": 0.9} | [0.5, 1, 0.9, 0.5] | 0.25 | [-0.8, 0.2, 0.4
     #[test]
     fn a_sum_is_the_weighted_sum_and_passes_the_check() {
         let model = SmallModel::new(18, 2, 21);
-        let build = |name: &str| {
-            let parameters = (name, example(row(name)).value);
-            check::of_ring(&model, parameters, Arc::new(Identity))
-        };
+        let build =
+            |name: &str| check::of_ring(&model, name, example(row(name)).value, Arc::new(Identity));
         let sum = Sum::new(vec![(0.5, build("threshold")), (2.0, build("l2"))]).unwrap();
         let dose = some_dose(model.layout());
         check::objective(&sum, &dose).unwrap();
@@ -599,8 +597,8 @@ l2n | {"lower": 0.7, "upper": 0.9} | [0.5, 1, 0.9, 0.5] | 0.25 | [-0.8, 0.2, 0.4
     #[test]
     fn the_same_bits_for_any_number_of_threads() {
         let model = SmallModel::new(40, 1, 130);
-        let parameters = ("threshold", example(row("threshold")).value);
-        let objective = check::of_ring(&model, parameters, Arc::new(Identity));
+        let parameters = example(row("threshold")).value;
+        let objective = check::of_ring(&model, "threshold", parameters, Arc::new(Identity));
         let dose = some_dose(model.layout());
         let losses = [1, 2, 8].map(|threads| {
             tomolith_core::check::on_threads(threads, || objective.value(&dose)).to_bits()

@@ -150,8 +150,7 @@ mod tests {
         let model = SmallModel::new(12, 2, 7);
         let of = |name: &str| {
             let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-            let parameters = (name, example(row).value);
-            check::of_ring(&model, parameters, Arc::new(Identity))
+            check::of_ring(&model, name, example(row).value, Arc::new(Identity))
         };
         let first = model.layout().clone();
         let second = DoseLayout {

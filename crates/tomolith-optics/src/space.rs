@@ -641,7 +641,7 @@ impl SpaceTracer {
                     return false;
                 }
                 BodyMaterial::Diffuse { reflectance } => {
-                    self.diffuse(state, crossing.normal, reflectance, (waiting, random), path);
+                    self.diffuse(state, crossing.normal, reflectance, waiting, random, path);
                     return false;
                 }
                 BodyMaterial::Mirror => {
@@ -742,7 +742,8 @@ impl SpaceTracer {
         state: &State,
         normal: [f64; 3],
         reflectance: f64,
-        (waiting, random): (&mut Vec<State>, Option<&mut Stream>),
+        waiting: &mut Vec<State>,
+        random: Option<&mut Stream>,
         path: &mut RayPath,
     ) {
         let power = state.fields.power();

@@ -468,7 +468,7 @@ impl Checkpoints {
         let mut text = serde_json::to_vec(&metadata).map_err(|e| damaged(&file, &e.to_string()))?;
         // The format aligns its arrays
         text.resize(text.len().next_multiple_of(8), b' ');
-        write_whole_under(&file, (&work.aside(), bytes), |file| {
+        write_whole_under(&file, &work.aside(), bytes, |file| {
             file.write_all(&(text.len() as u64).to_le_bytes())?;
             file.write_all(&text)?;
             let mut sums = vec![checksum(&text)];

@@ -89,7 +89,8 @@ impl<F: Field> Projection<F> {
         mut patterns: F,
         lights: &[PatternLayout],
         wanted: &F,
-        (filter, voxel_mm3): (Filter, f64),
+        filter: Filter,
+        voxel_mm3: f64,
     ) -> Result<Self> {
         let sum = |field: &F| {
             let mut ones = field.zeros_like();
@@ -147,7 +148,7 @@ pub(super) fn target_projection<F: Field>(
     problem.project(x, &wanted, &mut patterns)?;
     let model = problem.model();
     let (lights, voxel_mm3) = (model.patterns(), model.grid().voxel_mm3());
-    Projection::filtered(patterns, lights, &wanted, (filter, voxel_mm3))
+    Projection::filtered(patterns, lights, &wanted, filter, voxel_mm3)
 }
 
 /// Filters every row along its columns.
@@ -301,8 +302,9 @@ mod tests {
             let mut x = model.new_patterns().unwrap();
             let at = x.zeros_like();
             model.pullback(&at, &field, &mut x, &Work::new()).unwrap();
-            let filter = (Filter::RamLak, 0.1f64.powi(3));
-            let projection = Projection::filtered(x, lights, &field, filter).unwrap();
+            let filter = Filter::RamLak;
+            let projection = Projection::filtered(x, lights, &field, filter, grid.voxel_mm3());
+            let projection = projection.unwrap();
             let inverse = projection.inverse();
             let mut x = projection.patterns;
             x.scale(inverse as f32);

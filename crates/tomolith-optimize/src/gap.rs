@@ -61,18 +61,17 @@ mod tests {
         optimizer: &mut dyn Optimizer<HostField>,
         stop: &Stop,
     ) -> Result<Outcome, Error> {
-        solve((model, objective), (LIMITS, 0.05), optimizer, stop).1
+        solve(model, objective, LIMITS, 0.05, optimizer, stop).1
     }
 
     #[test]
     fn no_method_and_no_patterns_go_below_the_bound_which_nears_the_optimum() {
         let model = SmallModel::new(18, 6, 9);
-        for (kind, near) in [
-            (("l2", json!({})), 1e-4),
-            (("process_window", json!({ "outliers": 0.1 })), 0.05),
+        for (name, keys, near) in [
+            ("l2", json!({}), 1e-4),
+            ("process_window", json!({ "outliers": 0.1 }), 0.05),
         ] {
-            let name = kind.0;
-            let objective = of_ring(&model, kind, Arc::new(Identity));
+            let objective = of_ring(&model, name, keys, Arc::new(Identity));
             let by = |iterations| {
                 let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
                 outcome(&model, &*objective, &mut lbfgs, &Stop::after(iterations)).unwrap()
@@ -96,7 +95,7 @@ mod tests {
             }
         }
         // Another method ends at the same optimum
-        let l2 = of_ring(&model, ("l2", json!({})), Arc::new(Identity));
+        let l2 = of_ring(&model, "l2", json!({}), Arc::new(Identity));
         let mut fista = Fista::new(Default::default()).unwrap();
         let other = outcome(&model, &*l2, &mut fista, &Stop::after(2000)).unwrap();
         let gap = other.gap().unwrap();
@@ -121,8 +120,8 @@ mod tests {
             gap: 0.5,
             ..Stop::after(3000)
         };
-        let kind = ("process_window", json!({ "outliers": 0.1 }));
-        let convex = of_ring(&model, kind, Arc::new(Identity));
+        let keys = json!({ "outliers": 0.1 });
+        let convex = of_ring(&model, "process_window", keys, Arc::new(Identity));
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
         let ended = outcome(&model, &*convex, &mut lbfgs, &stop).unwrap();
         let gap = ended.gap().unwrap();
@@ -132,7 +131,7 @@ mod tests {
             "{gap:?}"
         );
         let logistic = Arc::new(Logistic::new(Default::default()).unwrap());
-        let curved = of_ring(&model, ("l2", json!({})), logistic);
+        let curved = of_ring(&model, "l2", json!({}), logistic);
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
         let refused = outcome(&model, &*curved, &mut lbfgs, &stop);
         assert!(matches!(refused, Err(Error::Unsupported { what, .. }) if what == "stop.gap"));

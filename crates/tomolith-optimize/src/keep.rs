@@ -264,7 +264,7 @@ mod tests {
     ) -> (HostField, f64, Result<Outcome>) {
         let model = SmallModel::new(16, 24, 1);
         let (target, labels) = model.ring();
-        let objective = of_ring(&model, ("osmo", json!({})), Arc::new(Identity));
+        let objective = of_ring(&model, "osmo", json!({}), Arc::new(Identity));
         let input = StartInput::new(&model, &target, &labels, &FREE);
         let mut target = input.target_field().unwrap();
         if gray {

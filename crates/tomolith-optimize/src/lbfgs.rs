@@ -432,7 +432,7 @@ mod tests {
     use tomolith_objective::check::of_ring;
 
     fn objective(model: &SmallModel, name: &str, json: Value) -> Box<dyn Objective<HostField>> {
-        of_ring(model, (name, json), Arc::new(Identity))
+        of_ring(model, name, json, Arc::new(Identity))
     }
 
     fn solve(
@@ -441,8 +441,8 @@ mod tests {
         optimizer: &mut dyn Optimizer<HostField>,
         stop: &Stop,
     ) -> (HostField, Outcome) {
-        let limits = (Limits::default(), 0.5);
-        let (x, outcome) = reference::solve((model, objective), limits, optimizer, stop);
+        let limits = Limits::default();
+        let (x, outcome) = reference::solve(model, objective, limits, 0.5, optimizer, stop);
         (x, outcome.unwrap())
     }
 
@@ -561,7 +561,7 @@ mod tests {
             ("bclp", json!({"p": 4.0, "q": 0.5})),
         ] {
             let response = Arc::new(Logistic::new(Default::default()).unwrap());
-            let objective = of_ring(&model, (name, json.clone()), response);
+            let objective = of_ring(&model, name, json.clone(), response);
             let mut optimizer = Lbfgs::new(Params::default()).unwrap();
             let stop = Stop::after(40);
             let (_, outcome) = solve(&model, &*objective, &mut optimizer, &stop);

@@ -302,19 +302,16 @@ mod tests {
 
     /// The article's iteration with the model in object space, M kept as its part beyond the (filtered) target.
     fn article(case: &Case, filtered: bool, floor: f64, levels: Option<f64>) -> Vec<Vec<f64>> {
-        halves(
-            case,
-            filtered,
-            (floor, levels),
-            &[(0.0, false), (1.0, false)],
-        )
+        let order = [(0.0, false), (1.0, false)];
+        halves(case, filtered, floor, levels, &order)
     }
 
     /// The article's steps with halves of part (1) or void (0), at edges alone or not.
     fn halves(
         case: &Case,
         filtered: bool,
-        (floor, levels): (f64, Option<f64>),
+        floor: f64,
+        levels: Option<f64>,
         halves: &[(f64, bool)],
     ) -> Vec<Vec<f64>> {
         let inner = case.without_neighbors_of_the_other_kind();
@@ -383,7 +380,7 @@ mod tests {
         let case = Case::new();
         let objective = case.objective("osmo", serde_json::json!({"d_h": D_H, "d_l": D_L}));
         let order = [(0.0, false), (1.0, false), (1.0, true), (0.0, true)];
-        let expected = halves(&case, true, (0.0, None), &order);
+        let expected = halves(&case, true, 0.0, None, &order);
         for (count, halves) in [(Count::Half, 1), (Count::Double, 4)] {
             let params = Params {
                 count,

@@ -17,7 +17,7 @@ use tomolith_objective::penalty::{PENALTIES, Penalties};
 const LIMITS: Limits = Limits { min: 0.0, max: 2.0 };
 
 fn objective(model: &SmallModel) -> Box<dyn Objective<HostField>> {
-    of_ring(model, ("threshold", json!({})), Arc::new(Identity))
+    of_ring(model, "threshold", json!({}), Arc::new(Identity))
 }
 
 fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<HostField> {

@@ -548,11 +548,11 @@ impl<'a, F: Field> Problem<'a, F> {
         let found = self.timed(|objective, penalties| {
             let found = segment_minimum(*loss, slope, |alpha| {
                 sum(
-                    course.slope(objective, (dose, cotangent), alpha),
+                    course.slope(objective, dose, cotangent, alpha),
                     penalties.slope_along(x, step, alpha),
                 )
             });
-            *loss = course.advance(objective, (dose, cotangent), found.alpha);
+            *loss = course.advance(objective, dose, cotangent, found.alpha);
             found
         });
         if found.alpha != 0.0 {
@@ -674,7 +674,7 @@ impl<'a, F: Field> Problem<'a, F> {
         let length = self.timed(|objective, penalties| {
             ray_minimum(*loss, sums.slope, |alpha| {
                 sum(
-                    course.slope(objective, (dose, cotangent), alpha),
+                    course.slope(objective, dose, cotangent, alpha),
                     penalties.slope_along(x, direction, alpha),
                 )
             })
@@ -704,7 +704,8 @@ impl<F: Field> Course<F> {
     fn slope(
         &mut self,
         objective: &dyn Objective<F>,
-        (dose, cotangent): (&F, &mut F),
+        dose: &F,
+        cotangent: &mut F,
         alpha: f32,
     ) -> (f64, f64) {
         match self {
@@ -721,7 +722,8 @@ impl<F: Field> Course<F> {
     fn advance(
         &self,
         objective: &dyn Objective<F>,
-        (dose, cotangent): (&mut F, &mut F),
+        dose: &mut F,
+        cotangent: &mut F,
         alpha: f32,
     ) -> f64 {
         match self {

@@ -90,8 +90,10 @@ pub(crate) fn assert_near(found: &[f32], expected: &[f64], tolerance: f64, what:
 
 /// What a method makes of even patterns within limits.
 pub(crate) fn solve(
-    (model, objective): (&Model, &dyn Objective<HostField>),
-    (limits, even): (Limits, f32),
+    model: &Model,
+    objective: &dyn Objective<HostField>,
+    limits: Limits,
+    even: f32,
     optimizer: &mut dyn Optimizer<HostField>,
     stop: &Stop,
 ) -> (HostField, Result<Outcome>) {
@@ -222,7 +224,7 @@ impl Case {
         name: &str,
         json: serde_json::Value,
     ) -> Box<dyn Objective<HostField>> {
-        of_ring(&self.model, (name, json), Arc::new(Identity))
+        of_ring(&self.model, name, json, Arc::new(Identity))
     }
 
     pub(crate) fn weighed_objective(

@@ -400,7 +400,7 @@ fn begin<F: Field>(
     if let Some(mut checkpoint) = checkpoint {
         checkpoint.read_field("patterns", x)?;
         if checkpoint.contents() == Contents::All {
-            return resume(checkpoint, problem, optimizer, x, (keep, begin)).map(Some);
+            return resume(checkpoint, problem, optimizer, x, keep, begin).map(Some);
         }
         if checkpoint.has("best") {
             checkpoint.read_field("best", x)?;
@@ -443,7 +443,8 @@ fn resume<F: Field>(
     problem: &mut Problem<F>,
     optimizer: &mut dyn Optimizer<F>,
     x: &mut F,
-    (keep, begin): (Keep, Instant),
+    keep: Keep,
+    begin: Instant,
 ) -> Result<State<F>> {
     let mut dose = problem.model().new_dose()?;
     checkpoint.read_field("dose", &mut dose)?;

@@ -12,8 +12,7 @@ use tomolith_optimize::{Limits, Problem, Stop, run};
 /// What a process window with these keys reaches on a small ring.
 fn reached(keys: serde_json::Value) -> FoundWindow {
     let model = SmallModel::new(18, 6, 9);
-    let keys = ("process_window", keys);
-    let objective = of_ring(&model, keys, Arc::new(Identity));
+    let objective = of_ring(&model, "process_window", keys, Arc::new(Identity));
     let limits = [Limits { min: 0.0, max: 3.0 }];
     let control = Work::new();
     let mut problem = Problem::new(&model, &*objective, &limits, &control).unwrap();

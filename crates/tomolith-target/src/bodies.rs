@@ -111,7 +111,8 @@ impl Assembly {
         spec: &TargetSpec,
         bodies: &[BodySpec],
         placement: &Placement,
-        (folder, section): (&Path, &str),
+        folder: &Path,
+        section: &str,
         work: &Work,
     ) -> Result<Self> {
         let key = |i: usize| format!("{section}.body[{i}]");

@@ -22,7 +22,7 @@ pub fn cuts(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
 /// Share of the shape's volume outside a grid, measured on 96 voxels along its longest edge; None where the grid holds its box.
 ///
 /// ```
-/// use tomolith_core::{grid::VolumeGrid, run::Run};
+/// use tomolith_core::{grid::VolumeGrid, work::Work};
 /// use tomolith_target::{TargetSpec, build, clip::cut_off};
 /// let spec: TargetSpec = toml::from_str("phantom = \"sphere\"\nsize_mm = 2.0").unwrap();
 /// let shape = build(&spec, std::path::Path::new("."), "target").unwrap();

@@ -177,8 +177,7 @@ pub fn build_under(
     }
     match source(spec, section_path)? {
         Source::Bodies(bodies) => {
-            let shape =
-                Assembly::build(spec, bodies, &placement, (base_folder, section_path), work)?;
+            let shape = Assembly::build(spec, bodies, &placement, base_folder, section_path, work)?;
             Ok(Box::new(shape))
         }
         Source::Mesh(file) => {

@@ -75,7 +75,7 @@ impl DeviceLight {
     ) -> Result<Self> {
         must_be_computed(light, &form.output, &gpu.adapter().name)?;
         let propagation =
-            DevicePropagation::new(gpu, (light, layout), form.output.row, form.is_linear);
+            DevicePropagation::new(gpu, light, layout, form.output.row, form.is_linear);
         let [all, largest] = propagation.bytes();
         let shared = (16 * layout.runs.len() as u64).max(DeviceRotation::bytes(&light.rotation));
         let advice = "fewer rows or columns, larger errors of the model";
@@ -160,7 +160,7 @@ impl GpuWaves {
         let frames = batch.frames.len();
         let samples = light.propagation.interpolate(frames, computed);
         for (columns, piece) in self.voxels_of(dose) {
-            (light.rotation).gather(&batch.frames, &samples, (&columns, piece));
+            (light.rotation).gather(&batch.frames, &samples, &columns, piece);
         }
     }
 
@@ -171,7 +171,7 @@ impl GpuWaves {
         let samples = self.gpu.buffer(bytes);
         self.gpu.clear(&samples, bytes);
         for (columns, piece) in self.voxels_of(cotangent) {
-            (light.rotation).ask(&batch.frames, &samples, (&columns, piece));
+            (light.rotation).ask(&batch.frames, &samples, &columns, piece);
         }
         light.propagation.interpolate_back(frames, samples)
     }

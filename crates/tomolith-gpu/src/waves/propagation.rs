@@ -89,6 +89,13 @@ pub(crate) struct Batch<'a> {
     pub(crate) mask: &'a Mask,
 }
 
+/// Where the lines of a transform lie: in pixels, or from a number of an array on.
+#[derive(Clone, Copy)]
+enum Place<'a> {
+    Pixels(&'a Batch<'a>),
+    From(usize),
+}
+
 /// Samples of a kind: what they hold of a field, or of two.
 #[derive(Clone, Copy)]
 enum Light {
@@ -109,7 +116,8 @@ struct Power<'a> {
 impl DevicePropagation {
     pub(crate) fn new(
         gpu: &Gpu,
-        (light, layout): (&WaveLight, &PatternLayout),
+        light: &WaveLight,
+        layout: &PatternLayout,
         row: usize,
         is_linear: bool,
     ) -> Self {
@@ -200,17 +208,20 @@ impl DevicePropagation {
     /// Transforms lines of an axis (0: u, 1: z), of the window or of samples, there (0) or back (1).
     fn transform(
         &self,
-        (transforms, axis, way): (&[[Transform; 2]; 2], usize, usize),
-        (kernel, lines): (&Lines, usize),
-        (batch, place): (Option<&Batch<'_>>, usize),
+        transforms: &[[Transform; 2]; 2],
+        [axis, way]: [usize; 2],
+        kernel: &Lines,
+        lines: usize,
+        place: Place<'_>,
         buffers: &[&Buffer],
     ) {
         let transform = &transforms[axis][way];
         let [nu, nz] = self.counts();
         let comb = &self.combs[axis];
-        let (begin, frame, has_dark, factor) = batch.map_or((0, 0, false, 0.0), |b| {
-            (b.begin, b.frames.start, b.mask.has_dark, b.mask.factor)
-        });
+        let (begin, frame, has_dark, factor, first) = match place {
+            Place::Pixels(b) => (b.begin, b.frames.start, b.mask.has_dark, b.mask.factor, 0),
+            Place::From(first) => (0, 0, false, 0.0, first),
+        };
         let numbers = [
             transform.length(),
             self.band[axis],
@@ -224,7 +235,7 @@ impl DevicePropagation {
             self.combs[1].count,
             begin,
             frame * self.columns,
-            place,
+            first,
             usize::from(has_dark),
         ];
         let mut parameters = numbers.map(|n| n as u32).to_vec();
@@ -237,9 +248,11 @@ impl DevicePropagation {
         let (frames, [_, nz]) = (batch.frames.len(), self.counts());
         let columns = self.gpu.buffer((8 * frames * self.columns * nz) as u64);
         self.transform(
-            (&self.image, 1, 0),
-            (&kernels::PIXELS_ALONG_Z, frames * self.columns),
-            (Some(batch), 0),
+            &self.image,
+            [1, 0],
+            &kernels::PIXELS_ALONG_Z,
+            frames * self.columns,
+            Place::Pixels(batch),
             &[
                 &columns,
                 &image.pieces()[batch.piece],
@@ -250,9 +263,11 @@ impl DevicePropagation {
         );
         let spectra = self.gpu.buffer((8 * frames * self.frequencies()) as u64);
         self.transform(
-            (&self.image, 0, 0),
-            (&kernels::PIXELS_ALONG_U, frames * nz),
-            (None, 0),
+            &self.image,
+            [0, 0],
+            &kernels::PIXELS_ALONG_U,
+            frames * nz,
+            Place::From(0),
             &[&spectra, &columns],
         );
         spectra
@@ -263,15 +278,19 @@ impl DevicePropagation {
         let (frames, [_, nz]) = (batch.frames.len(), self.counts());
         let columns = self.gpu.buffer((8 * frames * self.columns * nz) as u64);
         self.transform(
-            (&self.image, 0, 1),
-            (&kernels::BACK_ALONG_U, frames * nz),
-            (None, 0),
+            &self.image,
+            [0, 1],
+            &kernels::BACK_ALONG_U,
+            frames * nz,
+            Place::From(0),
             &[&columns, spectra],
         );
         self.transform(
-            (&self.image, 1, 1),
-            (&kernels::BACK_TO_PIXELS, frames * self.columns),
-            (Some(batch), 0),
+            &self.image,
+            [1, 1],
+            &kernels::BACK_TO_PIXELS,
+            frames * self.columns,
+            Place::Pixels(batch),
             &[
                 &grad.pieces()[batch.piece],
                 &columns,
@@ -289,24 +308,22 @@ impl DevicePropagation {
     }
 
     /// A place of a ring = fields of spectra at a depth.
-    fn field(
-        &self,
-        frames: usize,
-        spectra: &Buffer,
-        power: &Buffer,
-        (ring, place): (&Buffer, usize),
-    ) {
+    fn field(&self, frames: usize, spectra: &Buffer, power: &Buffer, ring: &Buffer, place: usize) {
         let mixed = self.mixed(frames);
         self.transform(
-            (&self.field, 1, 1),
-            (&kernels::FIELD_ALONG_Z, frames * self.counts()[0]),
-            (None, 0),
+            &self.field,
+            [1, 1],
+            &kernels::FIELD_ALONG_Z,
+            frames * self.counts()[0],
+            Place::From(0),
             &[&mixed, spectra, power],
         );
         self.transform(
-            (&self.field, 0, 1),
-            (&kernels::FIELD_ALONG_U, frames * self.combs[1].count),
-            (None, place * frames * self.of_field()),
+            &self.field,
+            [0, 1],
+            &kernels::FIELD_ALONG_U,
+            frames * self.combs[1].count,
+            Place::From(place * frames * self.of_field()),
             &[ring, &mixed],
         );
     }
@@ -315,15 +332,19 @@ impl DevicePropagation {
     fn field_back(&self, frames: usize, field: &Buffer, power: &Buffer, spectra: &Buffer) {
         let mixed = self.mixed(frames);
         self.transform(
-            (&self.field, 0, 0),
-            (&kernels::FIELD_BACK_ALONG_U, frames * self.combs[1].count),
-            (None, 0),
+            &self.field,
+            [0, 0],
+            &kernels::FIELD_BACK_ALONG_U,
+            frames * self.combs[1].count,
+            Place::From(0),
             &[&mixed, field],
         );
         self.transform(
-            (&self.field, 1, 0),
-            (&kernels::FIELD_BACK_ALONG_Z, frames * self.counts()[0]),
-            (None, 0),
+            &self.field,
+            [1, 0],
+            &kernels::FIELD_BACK_ALONG_Z,
+            frames * self.counts()[0],
+            Place::From(0),
             &[spectra, &mixed, power],
         );
     }
@@ -378,11 +399,11 @@ impl DevicePropagation {
                 self.check(work)?;
                 let now = power.at(self, depth);
                 for (spectra, ring) in spectra.iter().zip(&rings) {
-                    self.field(frames, spectra, now, (ring, depth % self.forth.ring));
+                    self.field(frames, spectra, now, ring, depth % self.forth.ring);
                 }
                 while self.forth.is_ready(next, depth) {
                     let rings: Vec<&Buffer> = rings.iter().collect();
-                    self.light(light, (frames, next), mode, (&rings, samples));
+                    self.light(light, frames, next, mode, &rings, samples);
                     next += 1;
                 }
                 self.gpu.submit();
@@ -414,19 +435,15 @@ impl DevicePropagation {
                 self.check(work)?;
                 if let Some(spectra) = spectra {
                     let now = power.at(self, depth);
-                    self.field(frames, spectra, now, (&ring, depth % self.forth.ring));
+                    self.field(frames, spectra, now, &ring, depth % self.forth.ring);
                 }
                 while self.forth.is_ready(next, depth) {
-                    self.light(
-                        Light::Back,
-                        (frames, next),
-                        mode,
-                        (&[&ring], &[&sent, samples]),
-                    );
+                    let others = [&sent, samples];
+                    self.light(Light::Back, frames, next, mode, &[&ring], &others);
                     next += 1;
                     // As soon as all is there: the ring has no place for more
                     while done < self.depths && self.back.sums[done].last < next {
-                        self.sum_of(frames, done, (&sent, &field));
+                        self.sum_of(frames, done, &sent, &field);
                         let now = power_back.at(self, done);
                         self.field_back(frames, &field, now, &sum);
                         done += 1;
@@ -447,9 +464,11 @@ impl DevicePropagation {
     fn light(
         &self,
         light: Light,
-        (frames, depth): (usize, usize),
+        frames: usize,
+        depth: usize,
         mode: &DeviceMode,
-        (rings, others): (&[&Buffer], &[&Buffer]),
+        rings: &[&Buffer],
+        others: &[&Buffer],
     ) {
         let entries = &self.forth.sums[depth].entries;
         let numbers = [
@@ -485,7 +504,7 @@ impl DevicePropagation {
     }
 
     /// `field` = what was sent back to a depth that is transformed.
-    fn sum_of(&self, frames: usize, depth: usize, (sent, field): (&Buffer, &Buffer)) {
+    fn sum_of(&self, frames: usize, depth: usize, sent: &Buffer, field: &Buffer) {
         let entries = &self.back.sums[depth].entries;
         let numbers = [frames * self.of_field(), entries.start, entries.end];
         let groups = numbers[0].div_ceil(THREADS as usize);
@@ -500,34 +519,33 @@ impl DevicePropagation {
 
     /// Closer samples.
     pub(crate) fn interpolate(&self, frames: usize, computed: Buffer) -> Buffer {
-        let [across, along] = &self.closer;
+        let ([across, along], depths) = (&self.closer, self.forth.sums.len());
         let [between, last] = self.interpolated();
         let mut samples = computed;
         if let Some(step) = across {
-            let outer = frames * self.forth.sums.len();
-            let place = (outer, self.row, frames * between);
-            samples = self.rows(&step.forth, step.counts, place, &samples);
+            let (outer, between) = (frames * depths, frames * between);
+            samples = self.rows(&step.forth, step.counts, outer, self.row, between, &samples);
         }
         if let Some(step) = along {
-            let place = (frames, between / self.forth.sums.len(), frames * last);
-            samples = self.rows(&step.forth, step.counts, place, &samples);
+            let (inner, last) = (between / depths, frames * last);
+            samples = self.rows(&step.forth, step.counts, frames, inner, last, &samples);
         }
         samples
     }
 
     /// The transpose of [`interpolate`](Self::interpolate).
     pub(crate) fn interpolate_back(&self, frames: usize, last: Buffer) -> Buffer {
-        let [across, along] = &self.closer;
+        let ([across, along], depths) = (&self.closer, self.forth.sums.len());
         let [between, _] = self.interpolated();
         let mut samples = last;
         if let Some(DeviceInterpolation { back, counts, .. }) = along {
-            let place = (frames, between / self.forth.sums.len(), frames * between);
-            samples = self.rows(back, [counts[1], counts[0]], place, &samples);
+            let (turned, inner) = ([counts[1], counts[0]], between / depths);
+            samples = self.rows(back, turned, frames, inner, frames * between, &samples);
         }
         if let Some(DeviceInterpolation { back, counts, .. }) = across {
-            let outer = frames * self.forth.sums.len();
-            let place = (outer, self.row, frames * self.computed());
-            samples = self.rows(back, [counts[1], counts[0]], place, &samples);
+            let (turned, computed) = ([counts[1], counts[0]], frames * self.computed());
+            let outer = frames * depths;
+            samples = self.rows(back, turned, outer, self.row, computed, &samples);
         }
         samples
     }
@@ -537,7 +555,9 @@ impl DevicePropagation {
         &self,
         [starts, entries]: &[Buffer; 2],
         [from, to]: [usize; 2],
-        (outer, inner, numbers): (usize, usize, usize),
+        outer: usize,
+        inner: usize,
+        numbers: usize,
         source: &Buffer,
     ) -> Buffer {
         let out = self.gpu.buffer((4 * numbers) as u64);

@@ -119,7 +119,8 @@ impl DeviceRotation {
         &self,
         frames: &Frames,
         samples: &Buffer,
-        (columns, dose): (&Range<usize>, &Buffer),
+        columns: &Range<usize>,
+        dose: &Buffer,
     ) {
         let of_column = frames.len() * self.sub_angles * self.taps * self.row / 4;
         let together = (MOST_PRODUCTS / of_column).max(1);
@@ -136,7 +137,8 @@ impl DeviceRotation {
         &self,
         frames: &Frames,
         samples: &Buffer,
-        (columns, cotangent): (&Range<usize>, &Buffer),
+        columns: &Range<usize>,
+        cotangent: &Buffer,
     ) {
         let rows = frames.len() * self.rows();
         // Half of the voxels that are looked at see the sample

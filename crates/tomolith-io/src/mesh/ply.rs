@@ -322,7 +322,7 @@ impl Surface {
         for (row, face) in self.faces.iter().enumerate() {
             corners.clear();
             for &index in face {
-                corners.push(self.point(index, ("face", row), out)?);
+                corners.push(self.point(index, "face", row, out)?);
             }
             out.fan(&corners)?;
         }
@@ -330,7 +330,7 @@ impl Surface {
             // A strip begins anew after −1
             for strip in strip.split(|index| *index < 0.0) {
                 for (i, three) in strip.windows(3).enumerate() {
-                    let [a, b, c] = [0, 1, 2].map(|k| self.point(three[k], ("strip", row), out));
+                    let [a, b, c] = [0, 1, 2].map(|k| self.point(three[k], "strip", row, out));
                     // Every other triangle of a strip looks the other way
                     let corners = if i % 2 == 0 {
                         [a?, b?, c?]
@@ -344,7 +344,7 @@ impl Surface {
         Ok(())
     }
 
-    fn point(&self, index: f64, (what, row): (&str, usize), out: &Collector) -> Result<[f64; 3]> {
+    fn point(&self, index: f64, what: &str, row: usize, out: &Collector) -> Result<[f64; 3]> {
         let count = self.points.len();
         let there = (0.0..count as f64).contains(&index) && index.fract() == 0.0;
         let point = there.then(|| self.points[index as usize]);

@@ -114,7 +114,7 @@ impl Build<'_, '_, '_> {
         }
         let place = placed.place.then(around);
         match &object.content {
-            Content::Mesh(mesh) => self.mesh(mesh, (part, id), &place, role),
+            Content::Mesh(mesh) => self.mesh(mesh, part, id, &place, role),
             Content::Components(components) => {
                 for component in components {
                     let inner = component.part.as_deref().unwrap_or(part);
@@ -141,7 +141,8 @@ impl Build<'_, '_, '_> {
     fn mesh(
         &mut self,
         mesh: &Triangles,
-        (part, id): (&str, u32),
+        part: &str,
+        id: u32,
         place: &Place,
         role: Role,
     ) -> Result<()> {

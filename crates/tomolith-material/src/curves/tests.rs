@@ -52,8 +52,10 @@ fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
 /// Prints patterns of lights that are alike, in steps of at most so many seconds where that is given.
 fn watch(
     curves: &mut Curves,
-    (material, schedule): (&Photopolymer, &Schedule),
-    (model, x): (&SmallModel, &HostField),
+    material: &Photopolymer,
+    schedule: &Schedule,
+    model: &SmallModel,
+    x: &HostField,
     step_s: Option<f64>,
 ) {
     let lights = schedule.frames().iter().map(|_| LightSource::new(model, x));
@@ -84,7 +86,7 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         .unwrap()
         .with_cure_times(&material)
         .with_snapshots(&[60.0, 0.0]);
-    watch(&mut curves, (&material, &schedule), (&model, &x), None);
+    watch(&mut curves, &material, &schedule, &model, &x, None);
     let points = curves.points();
     assert_eq!(points.len(), 721);
     // Induction: nothing gels, the dose grows evenly
@@ -170,7 +172,7 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
     let material = photopolymer(network(Vec::new(), 1e6), domain_of(&model));
     let schedule = Schedule::of_turns(&[Turns::new(36, 36.0, 3.0)]).unwrap();
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    watch(&mut curves, (&material, &schedule), (&model, &x), None);
+    watch(&mut curves, &material, &schedule, &model, &x, None);
     let at = |seconds: f64| {
         let near = |p: &&CurvePoint| (p.seconds - seconds).abs() < 1e-6;
         curves.points().iter().find(near).unwrap().contrast
@@ -206,12 +208,7 @@ fn cure_times_are_interpolated_within_a_block() {
         let mut curves = Curves::new(&material, 0, &labels)
             .unwrap()
             .with_cure_times(&material);
-        watch(
-            &mut curves,
-            (&material, &schedule),
-            (&model, &x),
-            Some(step),
-        );
+        watch(&mut curves, &material, &schedule, &model, &x, Some(step));
         let middle = curves.cure_times(&material).unwrap().values[12];
         assert!((middle - 8.0).abs() < 1e-4, "{step}: {middle}");
     }
@@ -232,7 +229,7 @@ fn antagonists_do_not_count_as_imbued() {
     let schedule = Schedule::of_turns(&[Turns::new(4, 8.0, 1.0), late]).unwrap();
     let labels = Volume::filled(model.layout().grid.clone(), label::PART);
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    watch(&mut curves, (&material, &schedule), (&model, &x), None);
+    watch(&mut curves, &material, &schedule, &model, &x, None);
     let middle = curves.points().iter().find(|p| p.seconds >= 4.0).unwrap();
     let end = curves.points().last().unwrap();
     assert_eq!(middle.imbued_mj, end.imbued_mj);

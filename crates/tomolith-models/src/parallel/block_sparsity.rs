@@ -118,17 +118,19 @@ impl NonzeroBlocks {
     pub(super) fn side_by_side(
         [short, long]: &[Self; 2],
         row: usize,
-        (parts, part): (usize, usize),
+        parts: usize,
+        part: usize,
         of_rows: &[usize],
     ) -> Self {
-        let repeated = |own: &Self, together| own.repeated(row, (parts, part), together, of_rows);
+        let repeated = |own: &Self, together| own.repeated(row, parts, part, together, of_rows);
         // A short block that is a long one is no choice
         let apart = if short.blocks.len() == long.blocks.len() {
             repeated(short, 1)
         } else {
             repeated(short, 1).or(repeated(long, 1))
         };
-        let fits = |together: &usize| parts % together == 0 && together * part <= MAX_BLOCK;
+        let fits =
+            |together: &usize| parts.is_multiple_of(*together) && together * part <= MAX_BLOCK;
         match ([4, 2].into_iter().find(fits), long.blocks.as_slice()) {
             (Some(together), [whole]) if whole.first == 0 && whole.count == part => {
                 apart.or(repeated(long, together))
@@ -141,7 +143,8 @@ impl NonzeroBlocks {
     fn repeated(
         &self,
         row: usize,
-        (parts, part): (usize, usize),
+        parts: usize,
+        part: usize,
         together: usize,
         of_rows: &[usize],
     ) -> Self {

@@ -108,7 +108,7 @@ impl Finder {
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
-        (index, tile, views): Place,
+        Place { index, tile, views }: Place,
         needed: impl Fn(usize) -> bool,
     ) -> Patches {
         self.patches.resize(PATCHES * PATCHES, Vec::new());
@@ -118,7 +118,7 @@ impl Finder {
             let first = ((view - first_of_group) * plan.columns) as u32;
             self.found.clear();
             for beam in plan.of_view[view].clone() {
-                let meeting = plan.meetings[index * plan.beams.len() + beam];
+                let meeting = plan.meeting(index, beam);
                 let local = Local::new(tile, plan.beams[beam].major);
                 let keep = |column| {
                     needed(view * plan.columns + column as usize)
@@ -327,7 +327,12 @@ fn within(vectors: u64, block: Block) -> u64 {
 }
 
 /// A tile with its number, and views of a group.
-pub(super) type Place<'a> = (usize, &'a Tile, &'a Range<usize>);
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) index: usize,
+    pub(super) tile: &'a Tile,
+    pub(super) views: &'a Range<usize>,
+}
 
 impl CachedEntries {
     /// Finds entries in each call.
@@ -347,9 +352,12 @@ impl CachedEntries {
     ) -> Result<Self> {
         let period = plan.turned.period;
         let of_tiles = tiles.iter().enumerate();
-        let found = of_tiles.par_map_with(Finder::default, |finder, tile| {
+        let found = of_tiles.par_map_with(Finder::default, |finder, (index, tile)| {
             let groups = groups(0..period).take_while(|_| !work.is_canceled());
-            let find = |group| finder.find(path, plan, (tile.0, tile.1, &group), |_| true);
+            let find = |views| {
+                let views = &views;
+                finder.find(path, plan, Place { index, tile, views }, |_| true)
+            };
             groups.map(find).map(Group::of).collect::<Vec<_>>()
         });
         work.check()?;
@@ -393,36 +401,48 @@ impl CachedEntries {
         let entries: usize = of_groups.sum();
         entries * BYTES as usize
     }
+}
 
+/// The entries of a light, stored or found in each call.
+#[derive(Clone, Copy)]
+pub(super) struct LightEntries<'a> {
+    pub(super) plan: &'a LightPlan,
+    pub(super) path: KernelPath,
+    pub(super) cached: &'a CachedEntries,
+}
+
+impl LightEntries<'_> {
     /// What the group that views belong to brings to a tile: all of it where it is stored, else that of the views' slots that are `needed`.
     fn group<'a>(
         &'a self,
-        (path, plan): (KernelPath, &LightPlan),
         place: Place,
         needed: impl Fn(usize) -> bool,
-        (finder, found): (&mut Finder, &'a mut Group),
+        finder: &mut Finder,
+        found: &'a mut Group,
     ) -> &'a Group {
-        if self.is_kept() {
-            return &self.groups[place.0 * self.per_tile + place.2.start / GROUP];
+        let CachedEntries { groups, per_tile } = self.cached;
+        if self.cached.is_kept() {
+            return &groups[place.index * per_tile + place.views.start / GROUP];
         }
-        *found = Group::of(finder.find(path, plan, place, needed));
+        *found = Group::of(finder.find(self.path, self.plan, place, needed));
         found
     }
 
     /// Adds to the voxels of a tile what views of a group bring, where it is wanted; `slots` has the lanes of all slots of the light.
     pub(super) fn add(
         &self,
-        (path, plan): (KernelPath, &LightPlan),
         place: Place<'_>,
-        (slots, nonzero): (&[f32], &NonzeroBlocks),
+        slots: &[f32],
+        nonzero: &NonzeroBlocks,
         wanted: Wanted<'_>,
         rows: &mut [&mut [f32]],
         bench: &mut Bench,
     ) {
-        let own = (&mut bench.finder, &mut bench.found);
-        let group = self.group((path, plan), place, |slot| nonzero.any(slot), own);
-        let first = first_of_group(place.2) * plan.columns;
-        let own = slots_of(place.2, plan.columns);
+        let (path, columns) = (self.path, self.plan.columns);
+        let is_lit = |slot| nonzero.any(slot);
+        let group = self.group(place, is_lit, &mut bench.finder, &mut bench.found);
+        let first = first_of_group(place.views) * columns;
+        let own = slots_of(place.views, columns);
         let is_whole = is_whole(&own, group);
         for (i, &block) in nonzero.blocks.iter().enumerate() {
             if !wanted.any_in(block) {
@@ -438,7 +458,7 @@ impl CachedEntries {
             let dark = group.lit_by.len() - lit;
             let chooses = !is_whole || 4 * dark * block.count > 3 * group.lit_by.len();
             let source = &slots[first * block.row * LANES..];
-            let mut ahead = self.ahead((path, plan, place), (group, i), (slots, nonzero), wanted);
+            let mut ahead = self.ahead(place, group, i, slots, nonzero, wanted);
             for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
                 let across = lines[0].len() / (block.row * LANES);
                 for x in 0..across.div_ceil(EDGE) {
@@ -467,20 +487,23 @@ impl CachedEntries {
     /// What is read after block `i` of a group: its next block, else the first one of the tile's next group. Nothing where blocks are long: there it saves no time.
     fn ahead<'a>(
         &'a self,
-        (path, plan, (index, _, views)): (KernelPath, &LightPlan, Place),
-        (group, i): (&'a Group, usize),
-        (slots, nonzero): (&'a [f32], &'a NonzeroBlocks),
+        Place { index, views, .. }: Place,
+        group: &'a Group,
+        i: usize,
+        slots: &'a [f32],
+        nonzero: &'a NonzeroBlocks,
         wanted: Wanted<'_>,
     ) -> Ahead<'a> {
-        let has_long_blocks = patches::block_lengths(path.isa, plan.turned.parts) == LENGTHS;
+        let (plan, per_tile) = (self.plan, self.cached.per_tile);
+        let has_long_blocks = patches::block_lengths(self.path.isa, plan.turned.parts) == LENGTHS;
         let blocks = &nonzero.blocks;
         let next_of = |mut range: Range<usize>| range.find(|&i| wanted.any_in(blocks[i]));
         let group_after = views.start / GROUP + 1;
         let (first, lit_by, block) = match next_of(i + 1..blocks.len()) {
             _ if has_long_blocks => (0, [].as_slice(), 0),
             Some(block) => (first_of_group(views), group.lit_by.as_slice(), block),
-            None if group_after < self.per_tile => {
-                let group = &self.groups[index * self.per_tile + group_after];
+            None if group_after < per_tile => {
+                let group = &self.cached.groups[index * per_tile + group_after];
                 let block = next_of(0..i + 1).unwrap_or(i);
                 (group_after * GROUP, group.lit_by.as_slice(), block)
             }
@@ -498,9 +521,9 @@ impl CachedEntries {
     /// Adds to the lanes of views of a group, and of no others, what the cotangent of a tile's voxels gives (transpose of [`add`](Self::add)).
     pub(super) fn collect(
         &self,
-        (path, plan): (KernelPath, &LightPlan),
         place: Place<'_>,
-        (cotangent, held): (&TileCotangent, Wanted<'_>),
+        cotangent: &TileCotangent,
+        held: Wanted<'_>,
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
@@ -510,13 +533,12 @@ impl CachedEntries {
         if cotangent.of_tile.is_empty() {
             return;
         }
-        let own = (&mut bench.finder, &mut bench.found);
-        let group = self.group((path, plan), place, |_| true, own);
+        let group = self.group(place, |_| true, &mut bench.finder, &mut bench.found);
         if group.lit_by.is_empty() {
             return;
         }
-        let size = place.1.size;
-        let own = slots_of(place.2, plan.columns);
+        let size = place.tile.size;
+        let own = slots_of(place.views, self.plan.columns);
         let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in nonzero.blocks.iter().enumerate() {
@@ -553,7 +575,7 @@ impl CachedEntries {
                         }
                         None => &dark[..part.count * LANES],
                     });
-                    patches::spread(path.isa, lanes, values, entries, part);
+                    patches::spread(self.path.isa, lanes, values, entries, part);
                 }
             }
         }

@@ -76,13 +76,14 @@ impl Avx512 {
         out: &mut [f32],
         weights: &[f32],
         source: &[f32],
-        (first, tap): (&[u32], usize),
+        first: &[u32],
+        tap: usize,
         near: bool,
     ) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: `self` proves that AVX-512F was detected.
         unsafe {
-            avx512::add_gathered(out, weights, source, (first, tap), near);
+            avx512::add_gathered(out, weights, source, first, tap, near);
         }
     }
 
@@ -182,7 +183,8 @@ pub(crate) mod avx512 {
         out: &mut [f32],
         weights: &[f32],
         source: &[f32],
-        (first, tap): (&[u32], usize),
+        first: &[u32],
+        tap: usize,
         near: bool,
     ) {
         let highest = first.iter().fold(0, |m, &i| m.max(i)) as usize;

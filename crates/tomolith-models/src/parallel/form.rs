@@ -24,8 +24,8 @@ pub(super) fn form(
     if grid.shape[0] == 1 || kernel != Kernel::DistanceDriven || !is_even {
         return Ok(None);
     }
-    let of = (lights.to_vec(), kernel);
-    let model = Parallel::planned(vial, of, grid.clone(), Finding::OfAllViews, work)?;
+    let (lights, finding) = (lights.to_vec(), Finding::OfAllViews);
+    let model = Parallel::planned(vial, lights, kernel, grid.clone(), finding, work)?;
     Ok(Some(Form::Strips(Masked::new(model.geometry()))))
 }
 

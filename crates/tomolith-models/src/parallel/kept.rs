@@ -8,10 +8,11 @@
 //! Some views alone are those of all, with lanes of the others dark; groups that hold none of them are left out.
 
 use super::block_sparsity::NonzeroBlocks;
-use super::cached::{Bench, CachedEntries, PATCHES, TileCotangent, Wanted, patch};
+use super::cached::{Bench, LightEntries, PATCHES, Place, TileCotangent, Wanted, patch};
 use super::patches;
 use super::plan::LightPlan;
 use super::regions::Chosen;
+use super::views::SeenViews;
 use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
 use crate::Work;
 use std::ops::Range;
@@ -116,14 +117,23 @@ fn repeated(views: &Range<usize>, period: usize) -> Vec<Range<usize>> {
 
 /// Lanes of slots with the entries that they are summed with.
 pub(super) struct Source<'a> {
-    pub(super) plan: &'a LightPlan,
-    pub(super) entries: &'a CachedEntries,
+    pub(super) entries: LightEntries<'a>,
     pub(super) wide: Wide,
     pub(super) lanes: &'a [f32],
     /// Views of the first part of the turn.
     pub(super) groups: Vec<Range<usize>>,
     /// Vectors of lanes that are wanted, a bit for each, `[tile][patch]`; None: all.
     pub(super) wanted: Option<&'a [u64]>,
+}
+
+/// A cotangent, with the entries that it is summed with.
+struct Cotangent<'a> {
+    entries: LightEntries<'a>,
+    /// Views whose lanes are wanted.
+    views: &'a Range<usize>,
+    /// Rows of lanes, voxel after voxel; which of them hold anything, in short and in long blocks.
+    values: &'a [f32],
+    nonzero: &'a [NonzeroBlocks; 2],
 }
 
 /// What a thread needs to add light to tiles.
@@ -171,23 +181,23 @@ impl Desk {
 }
 
 impl Parallel {
-    /// dose += light of these views of one light, from these sides; of regions that are `only` wanted, it is written over their dose.
+    /// dose += light of these views of one light; of regions that are `only` wanted, it is written over their dose.
     pub(super) fn add_kept(
         &self,
-        (light, entries): (usize, &CachedEntries),
-        (views, sides): (Range<usize>, Range<usize>),
+        light: usize,
+        seen: &SeenViews,
         only: Option<(&Chosen, &[u64])>,
         x: &[f32],
         dose: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let plan = &self.lights[light];
+        let entries = self.entries(light, work)?;
+        let plan = entries.plan;
         let wide = Wide::of(plan);
-        let groups = repeated(&views, plan.turned.period);
+        let groups = repeated(&seen.views, plan.turned.period);
         let mut lanes = self.borrow_scratch(wide.of_all());
-        self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
+        self.expand_parts(light, wide, seen, x, lanes.as_mut_slice());
         let source = Source {
-            plan,
             entries,
             wide,
             lanes: lanes.as_slice(),
@@ -197,8 +207,8 @@ impl Parallel {
         let chosen = only.map(|(chosen, _)| chosen);
         let DoseLayout { row, grid, .. } = &self.output;
         let rows = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
-        self.each_orbit(&source, rows, work, |tiles, tile, desk| {
-            self.add_turned((plan, wide), tiles, tile, chosen, desk);
+        self.each_orbit(&source, rows, work, |tiles, (index, rows), desk| {
+            self.add_turned(plan, tiles, index, rows, chosen, desk);
         });
         drop(source);
         self.return_scratch(lanes);
@@ -213,7 +223,7 @@ impl Parallel {
         work: &Work,
         finish: impl Fn(&[usize], (usize, T), &mut Desk) + Sync,
     ) {
-        let (plan, wide) = (source.plan, source.wide);
+        let wide = source.wide;
         let (row, used) = (wide.row / LANES, (wide.parts * wide.part).div_ceil(LANES));
         let lengths = patches::block_lengths(self.path.isa, wide.parts);
         let nonzero = NonzeroBlocks::of(source.lanes, row, used, lengths);
@@ -229,7 +239,7 @@ impl Parallel {
             .par_each_with(Desk::default, |desk: &mut Desk, orbit| {
                 let _ = desk.turned(orbit.len() * wide.of_tile());
                 let of_tiles = desk.turned.as_mut_slice().chunks_mut(wide.of_tile());
-                for ((index, _), turned) in orbit.iter().zip(of_tiles) {
+                for (&(index, _), turned) in orbit.iter().zip(of_tiles) {
                     let wanted = (source.wanted)
                         .map(|all| &all[index * PATCHES * PATCHES..][..PATCHES * PATCHES]);
                     let wanted = Wanted::of(wanted);
@@ -237,7 +247,8 @@ impl Parallel {
                         steps.add(source.groups.len());
                         continue;
                     }
-                    let [nx, ny] = self.tiles[*index].size;
+                    let tile = &self.tiles[index];
+                    let [nx, ny] = tile.size;
                     let turned = &mut turned[..nx * ny * wide.row];
                     for (i, lanes) in turned.chunks_exact_mut(wide.row).enumerate() {
                         if wanted.is_by(patch([i % nx, i / nx])) {
@@ -245,15 +256,15 @@ impl Parallel {
                         }
                     }
                     let mut rows: Vec<&mut [f32]> = turned.chunks_mut(nx * wide.row).collect();
-                    for group in &source.groups {
+                    for views in &source.groups {
                         if steps.is_canceled() {
                             return;
                         }
                         steps.add(1);
                         source.entries.add(
-                            (self.path, plan),
-                            (*index, &self.tiles[*index], group),
-                            (source.lanes, &nonzero),
+                            Place { index, tile, views },
+                            source.lanes,
+                            &nonzero,
                             wanted,
                             &mut rows,
                             &mut desk.bench,
@@ -267,11 +278,12 @@ impl Parallel {
             });
     }
 
-    /// Rows of pixels → lanes of slots, of some views seen from some sides; others are dark.
+    /// Rows of pixels → lanes of slots, of some views; others are dark.
     fn expand_parts(
         &self,
-        (light, wide): (usize, Wide),
-        (views, sides): (Range<usize>, Range<usize>),
+        light: usize,
+        wide: Wide,
+        SeenViews { views, sides }: &SeenViews,
         x: &[f32],
         lanes: &mut [f32],
     ) {
@@ -288,7 +300,7 @@ impl Parallel {
                         if views.contains(&view) {
                             let slot = view * plan.columns + column;
                             let own = &mut lanes[wide.lanes(part)];
-                            plan.add_expanded((layout, slot), sides.clone(), x, own, buffer);
+                            plan.add_expanded(layout, slot, sides.clone(), x, own, buffer);
                         }
                     }
                 }
@@ -324,16 +336,17 @@ impl Parallel {
     /// Adds to the dose of a tile its lanes of all parts, which lie in those of `tiles`; writes them over the doses of regions that are `chosen` only.
     fn add_turned(
         &self,
-        (plan, wide): (&LightPlan, Wide),
+        plan: &LightPlan,
         tiles: &[usize],
-        (index, rows): (usize, Vec<&mut [f32]>),
+        index: usize,
+        rows: Vec<&mut [f32]>,
         chosen: Option<&Chosen>,
         desk: &mut Desk,
     ) {
         if chosen.is_some_and(|chosen| chosen.is_empty_in(index)) {
             return;
         }
-        let (tile, row) = (&self.tiles[index], plan.levels.row);
+        let (tile, row, wide) = (&self.tiles[index], plan.levels.row, Wide::of(plan));
         let Desk {
             turned,
             lanes,
@@ -385,16 +398,17 @@ impl Parallel {
         }
     }
 
-    /// grad = Aᵀ c for these views of one light, from these sides.
+    /// grad = Aᵀ c for these views of one light.
     pub(super) fn adjoint_kept(
         &self,
-        (light, cache): (usize, &CachedEntries),
-        (views, sides): (Range<usize>, Range<usize>),
+        light: usize,
+        seen: &SeenViews,
         cotangent: &[f32],
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let plan = &self.lights[light];
+        let entries = self.entries(light, work)?;
+        let (plan, views) = (entries.plan, &seen.views);
         let wide = Wide::of(plan);
         let of_rows = self.of_rows(plan, cotangent);
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
@@ -403,8 +417,13 @@ impl Parallel {
             patches::block_lengths(self.path.isa, wide.parts),
         );
         let nonzero = NonzeroBlocks::in_blocks(cotangent, row, plan.levels.used, lengths);
-        let given = (&views, cotangent, &nonzero);
-        let groups = repeated(&views, plan.turned.period);
+        let cotangent = Cotangent {
+            entries,
+            views,
+            values: cotangent,
+            nonzero: &nonzero,
+        };
+        let groups = repeated(views, plan.turned.period);
         let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
         let bands = bands(len).min(self.orbits.len() / IN_A_BAND).max(1);
         // Few long chunks turn the cotangent less often; the result does not depend on their length
@@ -432,7 +451,7 @@ impl Parallel {
                     if work.is_canceled() {
                         return;
                     }
-                    self.collect_kept((plan, wide, cache), (index, groups), given, lanes, desk);
+                    self.collect_kept(&cotangent, index, groups, lanes, desk);
                 }
             });
         let (sum, others) = lanes.as_mut_slice().split_at_mut(len);
@@ -447,9 +466,9 @@ impl Parallel {
                 }
             }
         });
-        let frames = plan.views.frames_of(&views, &sides);
+        let frames = plan.views.frames_of(seen);
         let lanes_of = |slot: usize| &sum[wide.of_slot(slot)];
-        plan.collect((&self.patterns[light], frames), lanes_of, grad);
+        plan.collect(&self.patterns[light], frames, lanes_of, grad);
         self.return_scratch(lanes);
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
@@ -460,13 +479,14 @@ impl Parallel {
     /// Adds to the lanes of groups of views, from the first to the last, what the cotangent that a tile is turned to gives.
     fn collect_kept(
         &self,
-        (plan, wide, cache): (&LightPlan, Wide, &CachedEntries),
-        (index, groups): (usize, &[Range<usize>]),
-        (views, cotangent, nonzero): (&Range<usize>, &[f32], &[NonzeroBlocks; 2]),
+        of: &Cotangent<'_>,
+        index: usize,
+        groups: &[Range<usize>],
         lanes: &mut [f32],
         desk: &mut Desk,
     ) {
         let (tile, nx) = (&self.tiles[index], self.output.grid.shape[2]);
+        let (plan, wide) = (of.entries.plan, Wide::of(of.entries.plan));
         let row = plan.levels.row;
         let at = |y: usize| (0..tile.size[0]).map(move |x| [tile.start[0] + x, y]);
         let places: Vec<usize> = (tile.start[1]..tile.start[1] + tile.size[1])
@@ -476,21 +496,20 @@ impl Parallel {
             .collect();
         let per_view = plan.columns * wide.row;
         let mut collect = |cotangent: &TileCotangent, held: Wanted, bench: &mut Bench| {
-            for group in groups {
-                let own = group.start - groups[0].start..group.end - groups[0].start;
+            for views in groups {
+                let own = views.start - groups[0].start..views.end - groups[0].start;
                 let lanes = &mut lanes[own.start * per_view..own.end * per_view];
-                let place = (index, tile, group);
-                cache.collect((self.path, plan), place, (cotangent, held), lanes, bench);
+                (of.entries).collect(Place { index, tile, views }, cotangent, held, lanes, bench);
             }
         };
         if wide.parts == 1 && wide.row == row {
-            let [short, long] = nonzero;
+            let [short, long] = of.nonzero;
             let nonzero = match short.cost_of(&places) < long.cost_of(&places) {
                 true => short,
                 false => long,
             };
             let cotangent = TileCotangent {
-                values: cotangent,
+                values: of.values,
                 nonzero,
                 of_tile: nonzero.of_tile(tile, nx),
                 first: places[0],
@@ -499,8 +518,9 @@ impl Parallel {
             let held = cotangent.held(tile);
             return collect(&cotangent, Wanted::of(held.as_deref()), &mut desk.bench);
         }
-        let sizes = (wide.parts, wide.part / LANES);
-        let nonzero_there = NonzeroBlocks::side_by_side(nonzero, wide.row / LANES, sizes, &places);
+        let [row_there, part] = [wide.row, wide.part].map(|len| len / LANES);
+        let nonzero_there =
+            NonzeroBlocks::side_by_side(of.nonzero, row_there, wide.parts, part, &places);
         let local = Tile {
             start: [0, 0],
             ..*tile
@@ -517,12 +537,12 @@ impl Parallel {
         {
             for (part, &place) in places.iter().enumerate() {
                 let own = &mut lanes[wide.lanes(part)];
-                if views.start < (part + 1) * period
-                    && part * period < views.end
-                    && nonzero[0].any(place)
+                if of.views.start < (part + 1) * period
+                    && part * period < of.views.end
+                    && of.nonzero[0].any(place)
                 {
                     // Sixteen at a time: a call that copies would take longer than so few floats
-                    let lanes = cotangent[place * row..][..wide.part].as_chunks::<LANES>().0;
+                    let lanes = of.values[place * row..][..wide.part].as_chunks::<LANES>().0;
                     let own = own.as_chunks_mut::<LANES>().0;
                     own.iter_mut()
                         .zip(lanes)

@@ -164,14 +164,15 @@ pub(super) fn add_looked_up(
     out: &mut [f32],
     weights: &[f32],
     source: &[f32],
-    (first, tap): (&[u32], usize),
+    first: &[u32],
+    tap: usize,
 ) {
     assert!(out.len() == weights.len() && out.len() == first.len());
     #[cfg(target_arch = "x86_64")]
     {
         assert!(std::arch::is_x86_feature_detected!("avx2"), "no AVX2");
         // SAFETY: AVX2 was detected.
-        unsafe { x86::add_looked_up(out, weights, source, (first, tap)) }
+        unsafe { x86::add_looked_up(out, weights, source, first, tap) }
     }
     #[cfg(not(target_arch = "x86_64"))]
     unreachable!("no AVX2: {tap} {}", source.len());
@@ -277,7 +278,8 @@ mod x86 {
         out: &mut [f32],
         weights: &[f32],
         source: &[f32],
-        (first, tap): (&[u32], usize),
+        first: &[u32],
+        tap: usize,
     ) {
         let (eights, rest) = out.as_chunks_mut::<8>();
         let (of_eights, of_rest) = weights.as_chunks::<8>();

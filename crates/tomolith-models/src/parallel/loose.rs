@@ -49,8 +49,7 @@ impl Loose {
         let find = |&at: &usize| {
             let mut found = TileEntries::default();
             if !work.is_canceled() {
-                let place = (at / beams, at % beams);
-                model.enumerate_loose(plan, place, plan.meetings[at], &mut found);
+                model.enumerate_loose(plan, at / beams, at % beams, &mut found);
             }
             found
         };
@@ -82,32 +81,27 @@ impl Parallel {
         meeting.end > meeting.first && !(is_uniform_strips || is_chain)
     }
 
-    fn enumerate_loose(
-        &self,
-        plan: &LightPlan,
-        (tile, beam): (usize, usize),
-        meeting: Meeting,
-        found: &mut TileEntries,
-    ) {
+    fn enumerate_loose(&self, plan: &LightPlan, tile: usize, beam: usize, found: &mut TileEntries) {
         found.clear();
         let major = plan.beams[beam].major;
         let local = Local::new(&self.tiles[tile], major);
-        plan.enumerate(self.path, beam, meeting, &local, found);
+        plan.enumerate(self.path, beam, plan.meeting(tile, beam), &local, found);
     }
 
     /// Entries of a tile and a beam: the stored ones, or those found anew in `own`.
     pub(super) fn loose_entries<'a>(
         &self,
-        (plan, kept): (&LightPlan, Option<&'a Loose>),
-        (tile, beam): (usize, usize),
-        meeting: Meeting,
+        plan: &LightPlan,
+        kept: Option<&'a Loose>,
+        tile: usize,
+        beam: usize,
         own: &'a mut TileEntries,
     ) -> &'a TileEntries {
         let place = tile * plan.beams.len() + beam;
         if let Some(kept) = kept.and_then(|kept| kept.at(place)) {
             return kept;
         }
-        self.enumerate_loose(plan, (tile, beam), meeting, own);
+        self.enumerate_loose(plan, tile, beam, own);
         own
     }
 }

@@ -43,7 +43,8 @@ impl Mapped {
     pub(super) fn new(
         map: &Arc<AbsorptionMap>,
         resin: Resin,
-        (grid, walls): (&VolumeGrid, &Walls),
+        grid: &VolumeGrid,
+        walls: &Walls,
         beams: &[Beam],
     ) -> Self {
         let mut mapped = Mapped {
@@ -168,7 +169,8 @@ impl Mapped {
     /// Appends what strips `first..end` of a beam light in the tile; `keep` says which columns count.
     pub(super) fn enumerate(
         &self,
-        (index, beam): (usize, &Beam),
+        index: usize,
+        beam: &Beam,
         strips: std::ops::Range<usize>,
         local: &Local,
         keep: impl Fn(u32) -> bool,
@@ -199,7 +201,7 @@ impl Mapped {
                         1.0
                     };
                     let energy = f64::from(strip.power) * (-depth).exp() * passed * piece.way;
-                    self.share(beam.major, &piece, energy, (local, row), found);
+                    self.share(beam.major, &piece, energy, local, row, found);
                     depth += loss;
                 }
             }
@@ -213,7 +215,8 @@ impl Mapped {
         major: Major,
         piece: &Piece,
         energy: f64,
-        (local, row): (&Local, usize),
+        local: &Local,
+        row: usize,
         found: &mut TileEntries,
     ) {
         let first = local.origin[1] as i64;

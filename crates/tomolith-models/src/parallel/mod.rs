@@ -58,7 +58,7 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Parallel};
+//! use tomolith_models::{DoseModel, Work, parallel::Parallel};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(4, 0.0, 4, 40, 0.1);
@@ -99,7 +99,7 @@ use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Work, ZCoupling, own_frames,
 };
-use cached::{CachedEntries, Finding};
+use cached::{CachedEntries, Finding, LightEntries};
 use kernel::Isa;
 use loose::Loose;
 use plan::{KernelPath, LightPlan};
@@ -118,6 +118,7 @@ use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 use turned::Turned;
+use views::SeenViews;
 
 /// Keys of `[model.parallel]`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -173,8 +174,9 @@ impl ModelFamily for Params {
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
-        let of = (scene.lights.to_vec(), self.kernel);
-        let model = Parallel::for_purpose(scene.vial, of, grid, scene.purpose, input.work)?;
+        let (lights, kernel) = (scene.lights.to_vec(), self.kernel);
+        let (vial, purpose) = (scene.vial, scene.purpose);
+        let model = Parallel::for_purpose(vial, lights, kernel, grid, purpose, input.work)?;
         Ok(Box::new(model))
     }
 
@@ -255,7 +257,7 @@ impl Parallel {
         grid: VolumeGrid,
         work: &Work,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, work)
+        Self::planned(vial, lights, kernel, grid, Finding::InEachCall, work)
     }
 
     /// The model for a purpose: an optimization stores entries where there is room.
@@ -264,7 +266,8 @@ impl Parallel {
     /// As [`under`](Self::under).
     pub(crate) fn for_purpose(
         vial: &dyn Vial,
-        (lights, kernel): (Vec<Light>, Kernel),
+        lights: Vec<Light>,
+        kernel: Kernel,
         grid: VolumeGrid,
         purpose: Purpose,
         work: &Work,
@@ -275,14 +278,15 @@ impl Parallel {
             Purpose::Probe => Finding::OfAllViews,
             _ => Finding::InEachCall,
         };
-        Self::planned(vial, (lights, kernel), grid, finding, work)
+        Self::planned(vial, lights, kernel, grid, finding, work)
     }
 
     /// The model of a plan; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for
     /// again and again, and their memory is there ([`cached`]). Of a slice those are kept that its fast kernels do not find.
     fn planned(
         vial: &dyn Vial,
-        (lights, kernel): (Vec<Light>, Kernel),
+        lights: Vec<Light>,
+        kernel: Kernel,
         grid: VolumeGrid,
         finding: Finding,
         work: &Work,
@@ -305,10 +309,10 @@ impl Parallel {
             light.check()?;
             check_kernel(kernel, &light, vial)?;
             must_be_even(kernel, &light, vial)?;
-            let layout = light.layout(offset);
-            let own = (&light, kernel, turned);
-            plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, work));
+            let plan = LightPlan::new(vial, &light, kernel, turned, &grid, &tiles, work);
             work.check()?;
+            plans.push(plan);
+            let layout = light.layout(offset);
             offset += layout.len();
             patterns.push(layout);
         }
@@ -336,17 +340,18 @@ impl Parallel {
     }
 
     /// The entries of a light of a volume.
-    fn entries(&self, light: usize, work: &Work) -> Result<&CachedEntries> {
-        let own = &self.cache[light];
-        if let Some(found) = own.get() {
-            return Ok(found);
-        }
-        let found = match self.finding {
-            Finding::Once => CachedEntries::of(&self.lights[light], self.path, &self.tiles, work)?,
-            Finding::InEachCall | Finding::OfAllViews => CachedEntries::in_each_call(),
+    fn entries(&self, light: usize, work: &Work) -> Result<LightEntries<'_>> {
+        let (plan, path, own) = (&self.lights[light], self.path, &self.cache[light]);
+        let cached = match (own.get(), self.finding) {
+            (Some(found), _) => found,
+            (None, Finding::Once) => {
+                let found = CachedEntries::of(plan, path, &self.tiles, work)?;
+                // Whoever comes first; all would find the same
+                own.get_or_init(|| found)
+            }
+            (None, _) => own.get_or_init(CachedEntries::in_each_call),
         };
-        // Whoever comes first; all would find the same
-        Ok(own.get_or_init(|| found))
+        Ok(LightEntries { plan, path, cached })
     }
 
     /// The stored single entries of a light of a slice; None where none are.
@@ -376,36 +381,34 @@ impl Parallel {
             .push(field);
     }
 
-    /// dose += light of these views of one light, from these sides.
+    /// dose += light of these views of one light.
     fn add_light(
         &self,
         light: usize,
-        (views, sides): (Range<usize>, Range<usize>),
+        seen: &SeenViews,
         x: &[f32],
         dose: &mut [f32],
         work: &Work,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.add_light_of_plane(light, (views, sides), x, dose, work);
+            return self.add_light_of_plane(light, seen, x, dose, work);
         }
-        let entries = self.entries(light, work)?;
-        self.add_kept((light, entries), (views, sides), None, x, dose, work)
+        self.add_kept(light, seen, None, x, dose, work)
     }
 
-    /// grad = Aᵀ c for these views of one light, from these sides.
+    /// grad = Aᵀ c for these views of one light.
     fn adjoint_light(
         &self,
         light: usize,
-        (views, sides): (Range<usize>, Range<usize>),
+        seen: &SeenViews,
         cotangent: &[f32],
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, work);
+            return self.adjoint_light_of_plane(light, seen, cotangent, grad, work);
         }
-        let entries = self.entries(light, work)?;
-        self.adjoint_kept((light, entries), (views, sides), cotangent, grad, work)
+        self.adjoint_kept(light, seen, cotangent, grad, work)
     }
 
     /// A cotangent as the lanes of the kernel, where these are not its slices.
@@ -541,7 +544,7 @@ impl Parallel {
         let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for (light, own) in own_frames(&self.patterns, &frames) {
             for part in self.lights[light].views.of_frames(own) {
-                self.adjoint_light(light, part, cotangent, grad, work)?;
+                self.adjoint_light(light, &part, cotangent, grad, work)?;
             }
         }
         Ok(())
@@ -576,7 +579,7 @@ impl DoseModel for Parallel {
             let share = 1.0 / (self.lights.len() * parts.len()) as f64;
             for part in parts {
                 let work = work.part(share);
-                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), &work)?;
+                self.add_light(light, &part, x.as_slice(), dose.as_mut_slice(), &work)?;
             }
         }
         Ok(())
@@ -617,9 +620,9 @@ impl Parallel {
         let of_light = |(light, plan): (usize, &LightPlan)| {
             let kept = (!self.is_plane()).then(|| self.entries(light, &Work::new()));
             if let Some(Ok(entries)) = kept
-                && entries.is_kept()
+                && entries.cached.is_kept()
             {
-                return entries.updates(plan, nz);
+                return entries.cached.updates(plan, nz);
             }
             let tiles = self.tiles.iter().enumerate();
             let of_tiles = tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {

@@ -9,7 +9,7 @@ use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Spans, TILE, Tile, TileEntries};
 use super::turned::Turned;
 use super::uniform_strips::UniformStrips;
-use super::views::Views;
+use super::views::{SeenViews, Views};
 use super::walls::Walls;
 use super::z_overlap::{Intervals, Levels, ZOverlaps};
 use crate::{PatternLayout, Work};
@@ -64,7 +64,8 @@ pub(super) struct LightPlan {
 /// The beams of a light, as the kernel wants them.
 fn beams(
     vial: &dyn Vial,
-    (light, kernel): (&Light, Kernel),
+    light: &Light,
+    kernel: Kernel,
     pixels: &PatternGrid,
     grid: &VolumeGrid,
     deposit: &Deposit,
@@ -108,8 +109,9 @@ impl LightPlan {
     /// For a light with a kernel, whose views repeat so.
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, kernel, turned): (&Light, Kernel, Turned),
-        layout: &PatternLayout,
+        light: &Light,
+        kernel: Kernel,
+        turned: Turned,
         grid: &VolumeGrid,
         tiles: &[Tile],
         work: &Work,
@@ -124,12 +126,12 @@ impl LightPlan {
         let pixels = views.pixels(&light.pixels);
         let mut found_from = pixels.clone();
         found_from.azimuths.truncate(turned.period);
-        let beams = beams(vial, (light, kernel), &found_from, grid, &deposit);
+        let beams = beams(vial, light, kernel, &found_from, grid, &deposit);
         let walls = Walls::new(vial, grid);
         let mapped = light
             .map
             .as_ref()
-            .map(|map| Mapped::new(map, resin, (grid, &walls), &beams));
+            .map(|map| Mapped::new(map, resin, grid, &walls, &beams));
         let is_even = mapped.is_none();
         let may_be_uniform = grid.shape[0] == 1
             && is_even
@@ -165,7 +167,7 @@ impl LightPlan {
                 let (first, end) = overlaps.lanes_of(work);
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
             };
-            layout.runs.iter().map(vectors).collect()
+            light.layout(0).runs.iter().map(vectors).collect()
         };
         let lit = lit(&views, pixels.columns, &lit_by(&levels.overlaps));
         LightPlan {
@@ -186,15 +188,20 @@ impl LightPlan {
         }
     }
 
+    /// How a tile and a beam meet.
+    pub(super) fn meeting(&self, tile: usize, beam: usize) -> Meeting {
+        self.meetings[tile * self.beams.len() + beam]
+    }
+
     pub(super) fn is_lit(&self, slot: usize) -> bool {
         self.lit[slot].1 > self.lit[slot].0
     }
 
-    /// Pixels of a slice, of some views seen from some sides, by slot.
+    /// Pixels of a slice, of some views, by slot.
     pub(super) fn expand(
         &self,
         layout: &PatternLayout,
-        (views, sides): (Range<usize>, Range<usize>),
+        SeenViews { views, sides }: &SeenViews,
         x: &[f32],
         slots: &mut [f32],
     ) {
@@ -205,7 +212,7 @@ impl LightPlan {
                 pixels.fill(0.0);
                 for (column, pixel) in pixels.chunks_mut(1).enumerate() {
                     let slot = view * self.columns + column;
-                    self.add_expanded((layout, slot), sides.clone(), x, pixel, buffer);
+                    self.add_expanded(layout, slot, sides.clone(), x, pixel, buffer);
                 }
             },
         );
@@ -214,7 +221,8 @@ impl LightPlan {
     /// Adds to the lanes of a slot its rows of pixels, as seen from some sides.
     pub(super) fn add_expanded(
         &self,
-        (layout, slot): (&PatternLayout, usize),
+        layout: &PatternLayout,
+        slot: usize,
         sides: Range<usize>,
         x: &[f32],
         lanes: &mut [f32],
@@ -235,7 +243,8 @@ impl LightPlan {
     /// Lanes of slots → rows of pixels, of some frames. `grad` is that of all.
     pub(super) fn collect<'a>(
         &self,
-        (layout, frames): (&PatternLayout, Range<usize>),
+        layout: &PatternLayout,
+        frames: Range<usize>,
         lanes_of: impl Fn(usize) -> &'a [f32] + Sync,
         grad: &mut [f32],
     ) {
@@ -298,13 +307,13 @@ impl LightPlan {
             return wide.add_chain(&Chain::new(beam, first, end), local, keep, found);
         }
         if let Some(mapped) = &self.mapped {
-            return mapped.enumerate((index, beam), first..end, local, keep, found);
+            return mapped.enumerate(index, beam, first..end, local, keep, found);
         }
         let strips = &beam.strips[first..end];
         match self.kernel {
             Kernel::DistanceDriven => {
                 let resin_rows = self.walls.resin_rows(local, beam.major);
-                found.add(strips, (local, &resin_rows), &self.deposit, keep);
+                found.add(strips, local, &resin_rows, &self.deposit, keep);
             }
             kernel => found.add_radon(kernel, strips, local, keep),
         }
@@ -330,7 +339,7 @@ impl LightPlan {
         entries.clear();
         let path = KernelPath::of(Isa::in_use());
         for i in self.of_view[view].clone() {
-            let meeting = self.meetings[index * self.beams.len() + i];
+            let meeting = self.meeting(index, i);
             let local = Local::new(tile, self.beams[i].major);
             let keep = |column| self.is_lit_in_any_part(view, column);
             self.enumerate_columns(path, i, meeting, &local, keep, entries);

@@ -7,9 +7,10 @@
 use super::chains::{Avx512, Chain, Taps, WINDOW};
 use super::loose::Loose;
 use super::plan::LightPlan;
-use super::strips::Major;
+use super::strips::{Beam, Major};
 use super::tiles::{Local, Meeting, TILE, Tile, TileEntries};
 use super::uniform_strips::{Integrals, Square, UniformStrips};
+use super::views::SeenViews;
 use super::{Parallel, tile_rows};
 use crate::Work;
 use std::ops::Range;
@@ -37,10 +38,6 @@ impl LightPlan {
         first.zip(last).map_or(0..0, |(a, b)| a.start..b.end)
     }
 
-    fn meeting(&self, index: usize, beam: usize) -> Meeting {
-        self.meetings[index * self.beams.len() + beam]
-    }
-
     /// Pixel values of a frame.
     fn frame<'v>(&self, values: &'v [f32], beam: usize) -> &'v [f32] {
         let first = self.beams[beam].frame as usize * self.columns;
@@ -49,11 +46,11 @@ impl LightPlan {
 }
 
 impl Parallel {
-    /// dose += light of these views of one light, from these sides, for a single slice.
+    /// dose += light of these views of one light, for a single slice.
     pub(super) fn add_light_of_plane(
         &self,
         light: usize,
-        (views, sides): (Range<usize>, Range<usize>),
+        seen: &SeenViews,
         x: &[f32],
         dose: &mut [f32],
         work: &Work,
@@ -61,9 +58,9 @@ impl Parallel {
         let plan = &self.lights[light];
         let mut pixels = self.borrow_scratch(plan.lit.len());
         let layout = &self.patterns[light];
-        plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice());
+        plan.expand(layout, seen, x, pixels.as_mut_slice());
         let values = pixels.as_slice();
-        let beams = plan.beams_of(views);
+        let beams = plan.beams_of(seen.views.clone());
         let stride = UniformStrips::stride(plan.columns);
         let mut sources = self.borrow_scratch(beams.len() * stride);
         sources
@@ -76,7 +73,7 @@ impl Parallel {
                 }
             });
         let all = sources.as_slice();
-        let loose = (plan, self.loose(light, work)?);
+        let loose = self.loose(light, work)?;
         let nx = self.output.grid.shape[2];
         tile_rows(&self.tiles, dose, 1, nx)
             .into_iter()
@@ -103,12 +100,12 @@ impl Parallel {
                         );
                     } else if let Some(wide) = self.path.wide.filter(|_| meeting.chain) {
                         let values = plan.frame(values, beam);
-                        bench.add_chain(wide, plan, (beam, meeting), tile, values, square);
+                        bench.add_chain(wide, &plan.beams[beam], meeting, tile, values, square);
                     } else if meeting.end > meeting.first {
                         let values = plan.frame(values, beam);
                         let square = &mut along[square_of(Major::Y)];
                         let own = &mut bench.entries;
-                        let found = self.loose_entries(loose, (index, beam), meeting, own);
+                        let found = self.loose_entries(plan, loose, index, beam, own);
                         add_loose(found, values, square);
                     }
                 }
@@ -123,16 +120,16 @@ impl Parallel {
         work.check()
     }
 
-    /// grad = Aᵀ c for these views of one light, from these sides, for a single slice.
+    /// grad = Aᵀ c for these views of one light, for a single slice.
     pub(super) fn adjoint_light_of_plane(
         &self,
         light: usize,
-        (views, sides): (Range<usize>, Range<usize>),
+        seen: &SeenViews,
         cotangent: &[f32],
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let plan = &self.lights[light];
+        let (plan, views) = (&self.lights[light], &seen.views);
         let mut pixels = self.borrow_scratch(plan.lit.len());
         // Few long chunks read the cotangent less often; the result does not depend on their length
         let chunk = views
@@ -147,21 +144,18 @@ impl Parallel {
                 pixels.fill(0.0);
                 let first = views.start + i * chunk;
                 gathering.begin(plan, first..(first + chunk).min(views.end));
-                for (index, tile) in self.tiles.iter().enumerate() {
+                for tile in 0..self.tiles.len() {
                     if work.is_canceled() {
                         return;
                     }
-                    gathering.add_tile(self, (plan, loose), (index, tile), cotangent, pixels);
+                    gathering.add_tile(self, plan, loose, tile, cotangent, pixels);
                 }
                 gathering.end(plan, pixels);
             });
-        let frames = plan.views.frames_of(&views, &sides);
+        let frames = plan.views.frames_of(seen);
         let layout = &self.patterns[light];
-        plan.collect(
-            (layout, frames),
-            |slot| &pixels.as_slice()[slot..=slot],
-            grad,
-        );
+        let lanes_of = |slot: usize| &pixels.as_slice()[slot..=slot];
+        plan.collect(layout, frames, lanes_of, grad);
         self.return_scratch(pixels);
         work.check()
     }
@@ -171,13 +165,12 @@ impl Bench {
     fn add_chain(
         &mut self,
         wide: Avx512,
-        plan: &LightPlan,
-        (beam, meeting): (usize, Meeting),
+        beam: &Beam,
+        meeting: Meeting,
         tile: &Tile,
         values: &[f32],
         square: &mut Square,
     ) {
-        let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
         let local = Local::new(tile, beam.major);
         wide.find_taps(&mut self.taps, &chain, &local);
@@ -243,11 +236,13 @@ impl Gathering {
     fn add_tile(
         &mut self,
         model: &Parallel,
-        (plan, loose): (&LightPlan, Option<&Loose>),
-        (index, tile): (usize, &Tile),
+        plan: &LightPlan,
+        loose: Option<&Loose>,
+        index: usize,
         cotangent: &[f32],
         pixels: &mut [f32],
     ) {
+        let tile = &model.tiles[index];
         if !self.load(tile, model.output.grid.shape[2], cotangent) {
             return;
         }
@@ -274,7 +269,7 @@ impl Gathering {
                 }
             } else {
                 let own = &mut self.entries;
-                let found = model.loose_entries((plan, loose), (index, i), meeting, own);
+                let found = model.loose_entries(plan, loose, index, i, own);
                 let values = &self.integrals[square_of(Major::Y)].value;
                 for run in &found.runs {
                     let of_run = found.of(run);

@@ -234,7 +234,6 @@ impl Regions<HostField> for Parallel {
         let mut lanes = self.borrow_scratch(pooled.of_all());
         self.expand_bounds(pooled, x.as_slice(), step.as_slice(), lanes.as_mut_slice());
         let source = Source {
-            plan,
             entries: self.entries(0, work)?,
             wide: pooled,
             lanes: lanes.as_slice(),
@@ -277,18 +276,8 @@ impl Regions<HostField> for Parallel {
     ) -> Result<()> {
         let (chosen, wanted) = self.wanted(chosen);
         let only = Some((&chosen, wanted.as_slice()));
-        let all = (
-            0..self.the_plan().views.count(),
-            self.the_plan().views.sides(),
-        );
-        let entries = self.entries(0, work)?;
-        self.add_kept(
-            (0, entries),
-            all,
-            only,
-            x.as_slice(),
-            dose.as_mut_slice(),
-            work,
-        )
+        let all = self.the_plan().views.all();
+        let (x, dose) = (x.as_slice(), dose.as_mut_slice());
+        self.add_kept(0, &all, only, x, dose, work)
     }
 }

@@ -556,8 +556,8 @@ fn keeping(vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
 }
 
 fn finding(finding: Finding, vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
-    let of = (vec![light], Kernel::default());
-    Parallel::planned(vial, of, grid, finding, &Work::new()).unwrap()
+    let (lights, kernel) = (vec![light], Kernel::default());
+    Parallel::planned(vial, lights, kernel, grid, finding, &Work::new()).unwrap()
 }
 
 #[test]

@@ -296,7 +296,8 @@ impl TileEntries {
     pub(super) fn add(
         &mut self,
         strips: &[Strip],
-        (local, resin_rows): (&Local, &[ResinRow; TILE]),
+        local: &Local,
+        resin_rows: &[ResinRow; TILE],
         deposit: &Deposit,
         keep: impl Fn(u32) -> bool,
     ) {
@@ -305,7 +306,7 @@ impl TileEntries {
                 continue;
             }
             let begin = self.slots.len() as u32;
-            self.add_strip(strip, (local, resin_rows), deposit);
+            self.add_strip(strip, local, resin_rows, deposit);
             self.end_run(strip.column, begin);
         }
     }
@@ -321,7 +322,8 @@ impl TileEntries {
     fn add_strip(
         &mut self,
         strip: &Strip,
-        (local, resin_rows): (&Local, &[ResinRow; TILE]),
+        local: &Local,
+        resin_rows: &[ResinRow; TILE],
         deposit: &Deposit,
     ) {
         let low = (strip.span[0] - local.origin[0]).max(0.0);

@@ -21,6 +21,12 @@ pub(super) struct Views {
     paired: bool,
 }
 
+/// Some views, and the sides from which they are seen.
+pub(super) struct SeenViews {
+    pub(super) views: Range<usize>,
+    pub(super) sides: Range<usize>,
+}
+
 /// Directions nearer than this, rad, are one.
 pub(super) const SAME: f64 = 1e-9;
 
@@ -73,24 +79,35 @@ impl Views {
         view * self.columns + column
     }
 
-    /// A range of frames as ranges of views, each with the sides from which it is seen.
-    pub(super) fn of_frames(&self, frames: Range<usize>) -> Vec<(Range<usize>, Range<usize>)> {
+    /// All views, from all sides.
+    pub(super) fn all(&self) -> SeenViews {
+        SeenViews {
+            views: 0..self.count(),
+            sides: self.sides(),
+        }
+    }
+
+    /// A range of frames as ranges of views.
+    pub(super) fn of_frames(&self, frames: Range<usize>) -> Vec<SeenViews> {
         let count = self.count();
         if self.paired && frames == (0..self.frames) {
-            return vec![(0..count, 0..2)];
+            return vec![self.all()];
         }
         let sides = self.frames / count.max(1);
         (0..sides)
             .map(|side| {
                 let local = |f: usize| f.saturating_sub(side * count).min(count);
-                (local(frames.start)..local(frames.end), side..side + 1)
+                SeenViews {
+                    views: local(frames.start)..local(frames.end),
+                    sides: side..side + 1,
+                }
             })
-            .filter(|(views, _)| !views.is_empty())
+            .filter(|seen| !seen.views.is_empty())
             .collect()
     }
 
     /// The frames that see these views from these sides: all of both, or one side.
-    pub(super) fn frames_of(&self, views: &Range<usize>, sides: &Range<usize>) -> Range<usize> {
+    pub(super) fn frames_of(&self, SeenViews { views, sides }: &SeenViews) -> Range<usize> {
         let count = self.count();
         sides.start * count + views.start..(sides.end - 1) * count + views.end
     }

@@ -214,9 +214,9 @@ impl Taps {
                     *o += w * s;
                 }
             } else if let Some(wide) = path.wide {
-                wide.add_gathered(out, weights, source, (&self.first, tap), self.near[0]);
+                wide.add_gathered(out, weights, source, &self.first, tap, self.near[0]);
             } else if path.isa == Isa::Avx2 && self.near[1] {
-                kernel::add_looked_up(out, weights, source, (&self.first, tap));
+                kernel::add_looked_up(out, weights, source, &self.first, tap);
             } else {
                 for ((o, &w), &first) in out.iter_mut().zip(weights).zip(&self.first) {
                     *o += w * source[first as usize + tap];
@@ -230,8 +230,10 @@ impl Taps {
     fn apply_shifted(
         &self,
         start: usize,
-        (source, source_first): (&[f32], usize),
-        (out, out_first): (&mut [f32], usize),
+        source: &[f32],
+        source_first: usize,
+        out: &mut [f32],
+        out_first: usize,
     ) {
         // Slices: one row of pixels, one row of voxels
         if let ([weights], [s], [o]) = (self.weights.as_slice(), source, &mut *out) {
@@ -384,7 +386,7 @@ impl ZOverlaps {
         let low = run.bottom as usize;
         if let Some(start) = self.to_lanes.consecutive {
             let lanes = &mut lanes[..self.lanes];
-            return (self.to_lanes).apply_shifted(start, (values, low), (lanes, 0));
+            return (self.to_lanes).apply_shifted(start, values, low, lanes, 0);
         }
         buffer.fill(0.0);
         buffer[low..low + values.len()].copy_from_slice(values);
@@ -403,8 +405,8 @@ impl ZOverlaps {
     ) {
         if let Some(start) = self.to_rows.consecutive {
             values.fill(0.0);
-            let out = (values, run.bottom as usize);
-            return (self.to_rows).apply_shifted(start, (&lanes[..self.lanes], 0), out);
+            let (lanes, bottom) = (&lanes[..self.lanes], run.bottom as usize);
+            return (self.to_rows).apply_shifted(start, lanes, 0, values, bottom);
         }
         buffer[..self.lanes].copy_from_slice(&lanes[..self.lanes]);
         buffer[self.lanes..].fill(0.0);
@@ -435,7 +437,7 @@ mod tests {
     }
 
     /// A light and the same with each row of pixels as so many equal ones, some of them dark for good.
-    fn pair((rows, pitch): (usize, f64), times: usize, resin: Resin) -> [Light; 2] {
+    fn pair(rows: usize, pitch: f64, times: usize, resin: Resin) -> [Light; 2] {
         let pixels = PatternGrid {
             pitch_mm: [0.11, pitch],
             ..PatternGrid::full_turn(6, 0.2, rows, 12, 0.1)
@@ -508,11 +510,11 @@ mod tests {
             (&glass, Resin::absorbing(1.48, 0.2)),
         ];
         // Two slices a row; rows that end within the grid; rows beyond it
-        for (rows, times) in [((20, 0.1), 2), ((13, 0.13), 4), ((24, 0.12), 3)] {
+        for (rows, pitch, times) in [(20, 0.1, 2), (13, 0.13, 4), (24, 0.12, 3)] {
             for (vial, resin) in vials {
-                let what = format!("{rows:?} {vial:?}");
-                let [light, finer] = pair(rows, times, resin);
-                let values: Vec<f32> = (noise(2, 6 * 12 * rows.0).iter())
+                let what = format!("{rows} rows {vial:?}");
+                let [light, finer] = pair(rows, pitch, times, resin);
+                let values: Vec<f32> = (noise(2, 6 * 12 * rows).iter())
                     .map(|v| v.max(0.0))
                     .collect();
                 let (dose, gradient) = dose_and_adjoint(vial, light.clone(), &values, 1);
@@ -527,7 +529,7 @@ mod tests {
     fn a_kernel_along_rows_passes_the_model_check_on_every_path() {
         let vial = IndexMatched { radius_mm: 2.0 };
         for isa in Isa::available() {
-            let [light, _] = pair((13, 0.13), 4, Resin::absorbing(1.48, 0.2));
+            let [light, _] = pair(13, 0.13, 4, Resin::absorbing(1.48, 0.2));
             let both = Parallel::new(&vial, vec![light.clone(), light], slices()).unwrap();
             model(&both.with_isa(isa), 3).unwrap_or_else(|e| panic!("{isa:?}: {e}"));
         }

@@ -56,7 +56,8 @@ impl Rays {
     /// Calls `visit` with the segments of some frames of a light, of pixels that `wants` chooses, chunk by chunk.
     pub(super) fn for_each_chunk(
         &self,
-        (light, frames): (usize, Range<usize>),
+        light: usize,
+        frames: Range<usize>,
         wants: impl Fn(usize) -> bool + Sync,
         work: &Work,
         mut visit: impl FnMut(&RayBatch),
@@ -71,7 +72,8 @@ impl Rays {
     /// Passes the column rays of level light on in the same way.
     pub(super) fn for_each_sheets(
         &self,
-        (light, frames): (usize, Range<usize>),
+        light: usize,
+        frames: Range<usize>,
         wants: impl Fn(usize) -> bool + Sync,
         work: &Work,
         mut visit: impl FnMut(&[ColumnRay]),

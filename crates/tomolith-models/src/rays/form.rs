@@ -55,7 +55,7 @@ impl Rays {
         for light in 0..self.sources.len() {
             let of_light = match self.shared_rays(light) {
                 Some(shared) => Some((shared, self.counted(light, work)?)),
-                None => self.all_rays((light, wanted), MOST - segments, work)?,
+                None => self.all_rays(light, wanted, MOST - segments, work)?,
             };
             let Some((rays, passed)) = of_light else {
                 return Ok(None);
@@ -112,7 +112,7 @@ impl Rays {
             work.check()?;
             let pairs = frame * columns..(frame + 1) * columns;
             let followed: Vec<f64> =
-                pairs.par_map(|pair| self.follow((light, Wanted::InGrid), pair).passed);
+                pairs.par_map(|pair| self.follow(light, Wanted::InGrid, pair).passed);
             passed += followed.into_iter().sum::<f64>();
             pixels += layout.elements_of(frame..frame + 1).len();
         }
@@ -122,14 +122,15 @@ impl Rays {
     /// The rays of a light whose frames have different ones, and the voxels that they pass; None of more than `most` segments.
     fn all_rays(
         &self,
-        (light, wanted): (usize, Wanted),
+        light: usize,
+        wanted: Wanted,
         most: usize,
         work: &Work,
     ) -> Result<Option<(LightRays, f64)>> {
         let (mut segments, mut starts, mut passed) = (Vec::new(), vec![0], 0.0);
         for pairs in self.chunks(light, 0..self.patterns[light].grid.frames()) {
             work.check()?;
-            let followed: Vec<Followed> = pairs.par_map(|pair| self.follow((light, wanted), pair));
+            let followed: Vec<Followed> = pairs.par_map(|pair| self.follow(light, wanted, pair));
             for column in followed {
                 for count in column.counts {
                     starts.push(starts[starts.len() - 1] + count);
@@ -150,7 +151,7 @@ impl Rays {
     }
 
     /// The rays of one column of pixels, counted through all frames.
-    fn follow(&self, (light, wanted): (usize, Wanted), pair: usize) -> Followed {
+    fn follow(&self, light: usize, wanted: Wanted, pair: usize) -> Followed {
         let layout = &self.patterns[light];
         let (columns, area) = (layout.grid.columns, self.area(light));
         let run = layout.runs[pair];

@@ -33,7 +33,7 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, rays::{Optics, Params, Rays}};
+//! use tomolith_models::{DoseModel, Work, rays::{Optics, Params, Rays}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);
@@ -147,8 +147,7 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let optics = (scene.vial, scene.lights, scene.optics);
-        let walks = || Rays::cached_entries(optics, self, (grid, scene.solid.is_some()));
+        let walks = || Rays::cached_entries(scene, self, grid);
         Ok(Cost {
             cached_entries: (scene.purpose == Purpose::Optimize).then(walks),
             ..Cost::default()
@@ -260,7 +259,7 @@ fn are_alike_along_z(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bo
 
 /// Whether the rays of all rows of a column are followed together: where light goes the same way in all slices, and is slanted only where a voxel
 /// takes little of it (`slanted.rs`).
-fn are_in_columns(vial: &dyn Vial, (lights, optics): (&[Light], &[Optics]), pitch_mm: f64) -> bool {
+fn are_in_columns(vial: &dyn Vial, lights: &[Light], optics: &[Optics], pitch_mm: f64) -> bool {
     let takes_little = |(light, optics): (&Light, &Optics)| {
         let most = light.map.as_ref().map_or(0.0, |map| map.most_per_mm());
         let most = most.max(light.resin.attenuation_per_mm) * pitch_mm;
@@ -423,7 +422,7 @@ impl Rays {
             is_level: are_alike_along_z(vial, lights, optics)
                 && optics.iter().all(Optics::is_level)
                 && emission.scattered.is_none(),
-            by_rows: are_in_columns(vial, (lights, optics), output.grid.pitch_mm)
+            by_rows: are_in_columns(vial, lights, optics, output.grid.pitch_mm)
                 && emission.scattered.is_none(),
             sources,
             patterns,
@@ -497,14 +496,15 @@ impl Rays {
             && self.output.row.is_multiple_of(LANES)
     }
 
-    /// What [`cached`](Self::cached) stores for such optics, if it stores anything.
+    /// What [`cached`](Self::cached) stores of a scene, if it stores anything.
     pub(super) fn cached_entries(
-        (vial, lights, optics): (&dyn Vial, &[Light], &[Optics]),
+        scene: &OpticalScene<'_>,
         params: &Params,
-        (grid, has_cells): (&VolumeGrid, bool),
+        grid: &VolumeGrid,
     ) -> CachedEntries {
-        let in_columns = are_in_columns(vial, (lights, optics), grid.pitch_mm)
-            && !has_cells
+        let (lights, optics) = (scene.lights, scene.optics);
+        let in_columns = are_in_columns(scene.vial, lights, optics, grid.pitch_mm)
+            && scene.solid.is_none()
             && params.accumulation == Accumulation::Integral
             && grid.shape[0] > 1;
         if !in_columns {
@@ -616,19 +616,15 @@ impl DoseModel for Rays {
             }
             if self.has_column_rays() {
                 let dose = &mut dose[..voxels];
-                self.for_each_sheets(
-                    (light, own),
-                    |pixel| x[pixel] != 0.0,
-                    work,
-                    |column_rays| {
-                        column_rays::add(column_rays, &self.output, x, dose);
-                    },
-                )?;
+                let is_lit = |pixel: usize| x[pixel] != 0.0;
+                self.for_each_sheets(light, own, is_lit, work, |column_rays| {
+                    column_rays::add(column_rays, &self.output, x, dose);
+                })?;
                 continue;
             }
             let mut cells = self.scatter_grid.as_ref().map(ScatterGrid::cells);
             let is_lit = |pixel: usize| x[pixel] != 0.0;
-            self.for_each_chunk((light, own), is_lit, work, |lit| {
+            self.for_each_chunk(light, own, is_lit, work, |lit| {
                 match &mut split {
                     None => self.add(&self.lattice, &lit.straight, x, dose),
                     Some([outside, inside]) => {
@@ -670,14 +666,10 @@ impl DoseModel for Rays {
             }
             grad[pixels].fill(0.0);
             if self.has_column_rays() {
-                self.for_each_sheets(
-                    (light, own),
-                    |_| true,
-                    work,
-                    |column_rays| {
-                        column_rays::collect(column_rays, &self.output, c, grad);
-                    },
-                )?;
+                let all = |_| true;
+                self.for_each_sheets(light, own, all, work, |column_rays| {
+                    column_rays::collect(column_rays, &self.output, c, grad);
+                })?;
                 continue;
             }
             let scatter_grid = self.scatter_grid.as_ref();
@@ -687,23 +679,19 @@ impl DoseModel for Rays {
                     scatter_grid.collect(light, c, self.solid.as_deref()),
                 )
             });
-            self.for_each_chunk(
-                (light, own),
-                |_| true,
-                work,
-                |lit| {
-                    match &split {
-                        None => self.collect(&self.lattice, &lit.straight, c, grad),
-                        Some([outside, inside]) => {
-                            self.collect(&self.lattice, &lit.straight, outside, grad);
-                            self.collect(&self.lattice, &lit.inside, inside, grad);
-                        }
+            let all = |_| true;
+            self.for_each_chunk(light, own, all, work, |lit| {
+                match &split {
+                    None => self.collect(&self.lattice, &lit.straight, c, grad),
+                    Some([outside, inside]) => {
+                        self.collect(&self.lattice, &lit.straight, outside, grad);
+                        self.collect(&self.lattice, &lit.inside, inside, grad);
                     }
-                    if let Some((scatter_grid, cells)) = &scatter_grid {
-                        self.collect(&scatter_grid.lattice, &lit.scattered, cells, grad);
-                    }
-                },
-            )?;
+                }
+                if let Some((scatter_grid, cells)) = &scatter_grid {
+                    self.collect(&scatter_grid.lattice, &lit.scattered, cells, grad);
+                }
+            })?;
         }
         Ok(())
     }

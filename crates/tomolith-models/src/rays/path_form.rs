@@ -31,7 +31,8 @@ impl Rays {
     pub(crate) fn to_path_form(
         &self,
         straight: &Rays,
-        (lights, optics): (&[Light], &[Optics]),
+        lights: &[Light],
+        optics: &[Optics],
         limits: &TraceLimits,
         work: &Work,
     ) -> Result<Option<Form>> {

@@ -67,6 +67,15 @@ pub(super) struct Way {
     pub(super) deposit: f32,
 }
 
+/// How light of rows lies in the slices that a way rises through: p − h, 1/δ, β and what it leaves.
+#[derive(Clone, Copy)]
+struct Shape {
+    rise: f32,
+    steep: f32,
+    bend: f32,
+    deposit: f32,
+}
+
 impl Way {
     /// Whether no row reaches a third slice on it.
     fn is_short(self) -> bool {
@@ -218,13 +227,19 @@ impl Slant {
         [(); 3].map(|()| vec![0.0; self.heights.len() + 2])
     }
 
-    /// A, p − h, 1/δ and β of a way.
-    fn on(&self, way: Way) -> (i32, [f32; 3]) {
+    /// A of a way, and its shape.
+    fn on(&self, way: Way) -> (i32, Shape) {
         let whole = way.rise.floor();
         // A bound that only light which hardly rises reaches, whose span is rounded up
         let most = MOST_ABSORBED as f32;
         let bend = (self.bend * way.span).clamp(-most, most);
-        (whole as i32, [way.rise - whole, 1.0 / way.span, bend])
+        let shape = Shape {
+            rise: way.rise - whole,
+            steep: 1.0 / way.span,
+            bend,
+            deposit: way.deposit,
+        };
+        (whole as i32, shape)
     }
 
     /// Lanes with a part in the slices 0 to `slices` of three that begin at `bottom`.
@@ -243,7 +258,7 @@ impl Slant {
         room: &mut [Vec<f32>; 3],
         voxels: &mut [f32],
     ) {
-        let (whole, form) = self.on(way);
+        let (whole, shape) = self.on(way);
         let bottom = self.first + whole;
         let lanes = self.in_grid(bottom, voxels.len());
         let end = (voxels.len() as i32 - bottom).max(0) as usize;
@@ -258,12 +273,11 @@ impl Slant {
         let middle = &mut t1[lanes.start + 1..lanes.end + 1];
         let high = &mut t2[lanes.start + 2..lanes.end + 2];
         let (heights, values) = (&self.heights[lanes.clone()], &values[lanes]);
-        let of = (form, way.deposit);
         if way.is_short() {
-            dispatch!(isa, split(heights, values, of, [low, middle]));
+            dispatch!(isa, split(heights, values, shape, [low, middle]));
             dispatch!(isa, sum([t0, t1].map(|t| &t[places.clone()]), voxels));
         } else {
-            dispatch!(isa, split(heights, values, of, [low, middle, high]));
+            dispatch!(isa, split(heights, values, shape, [low, middle, high]));
             dispatch!(isa, sum([t0, t1, t2].map(|t| &t[places.clone()]), voxels));
         }
     }
@@ -277,7 +291,7 @@ impl Slant {
         room: &mut [f32],
         lanes: &mut [f32],
     ) {
-        let (whole, form) = self.on(way);
+        let (whole, shape) = self.on(way);
         let bottom = self.first + whole;
         let own = self.in_grid(bottom, voxels.len());
         if own.is_empty() {
@@ -294,18 +308,20 @@ impl Slant {
         let count = own.len();
         let (heights, lanes) = (&self.heights[own.clone()], &mut lanes[own]);
         let [low, middle, high] = [0, 1, 2].map(|i| &room[i..i + count]);
-        let of = (form, way.deposit);
         if way.is_short() {
-            dispatch!(isa, join(heights, [low, middle], of, lanes));
+            dispatch!(isa, join(heights, [low, middle], shape, lanes));
         } else {
-            dispatch!(isa, join(heights, [low, middle, high], of, lanes));
+            dispatch!(isa, join(heights, [low, middle, high], shape, lanes));
         }
     }
 }
 
 /// w₀ and w₂ of a row.
 #[inline(always)]
-fn shares(height: f32, [rise, steep, bend]: [f32; 3]) -> [f32; 2] {
+fn shares(height: f32, shape: Shape) -> [f32; 2] {
+    let Shape {
+        rise, steep, bend, ..
+    } = shape;
     let within = |share: f32| {
         let share = if share > 0.0 { share } else { 0.0 };
         if share < 1.0 { share } else { 1.0 }
@@ -323,15 +339,15 @@ fn shares(height: f32, [rise, steep, bend]: [f32; 3]) -> [f32; 2] {
 fn split<const SLICES: usize>(
     heights: &[f32],
     values: &[f32],
-    (form, deposit): ([f32; 3], f32),
+    shape: Shape,
     parts: [&mut [f32]; SLICES],
 ) {
     let count = heights.len();
     let values = &values[..count];
     let parts = parts.map(|part| &mut part[..count]);
     for i in 0..count {
-        let [w0, w2] = shares(heights[i], form);
-        let value = values[i] * deposit;
+        let [w0, w2] = shares(heights[i], shape);
+        let value = values[i] * shape.deposit;
         parts[0][i] = value * w0;
         if SLICES == 2 {
             parts[1][i] = value * (1.0 - w0);
@@ -354,16 +370,16 @@ fn sum<const SLICES: usize>(parts: [&[f32]; SLICES], out: &mut [f32]) {
 fn join<const SLICES: usize>(
     heights: &[f32],
     parts: [&[f32]; SLICES],
-    (form, deposit): ([f32; 3], f32),
+    shape: Shape,
     out: &mut [f32],
 ) {
     let count = out.len();
     let heights = &heights[..count];
     let parts = parts.map(|part| &part[..count]);
     for i in 0..count {
-        let [w0, w2] = shares(heights[i], form);
+        let [w0, w2] = shares(heights[i], shape);
         let low = parts[0][i] * w0;
-        out[i] += deposit
+        out[i] += shape.deposit
             * if SLICES == 2 {
                 low + parts[1][i] * (1.0 - w0)
             } else {
@@ -378,10 +394,10 @@ mod avx2 {
     pub(super) fn split<const SLICES: usize>(
         heights: &[f32],
         values: &[f32],
-        of: ([f32; 3], f32),
+        shape: super::Shape,
         parts: [&mut [f32]; SLICES],
     ) {
-        super::split(heights, values, of, parts);
+        super::split(heights, values, shape, parts);
     }
 
     #[target_feature(enable = "avx2")]
@@ -393,9 +409,9 @@ mod avx2 {
     pub(super) fn join<const SLICES: usize>(
         heights: &[f32],
         parts: [&[f32]; SLICES],
-        of: ([f32; 3], f32),
+        shape: super::Shape,
         out: &mut [f32],
     ) {
-        super::join(heights, parts, of, out);
+        super::join(heights, parts, shape, out);
     }
 }

@@ -182,8 +182,11 @@ impl Source {
     /// Traces what is scattered, too; `exposure` counts frames and their sub-angles.
     fn trace_scattered(
         &self,
-        (column, row): (usize, usize),
-        (azimuth, exposure, seed): (f64, usize, u64),
+        column: usize,
+        row: usize,
+        azimuth: f64,
+        exposure: usize,
+        seed: u64,
         mut visit: impl FnMut(PathSegment),
     ) {
         let pixel = (column * self.pixels.rows + row) as u64;
@@ -219,7 +222,7 @@ impl Source {
         for (sub, azimuth) in self.azimuths(frame).enumerate() {
             if let Some(seed) = self.seed() {
                 let exposure = frame * self.sub_angles + sub;
-                self.trace_scattered((column, row), (azimuth, exposure, seed), &mut visit);
+                self.trace_scattered(column, row, azimuth, exposure, seed, &mut visit);
                 continue;
             }
             let Some(shared) = &self.shared else {

@@ -7,8 +7,8 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
-use crate::parallel::{Kernel, Parallel};
-use crate::{Purpose, Work};
+use crate::Work;
+use crate::parallel::Parallel;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
@@ -16,7 +16,6 @@ use tomolith_core::dose::scattered::{self, LightOnCells};
 use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
-use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -31,30 +30,23 @@ pub(super) struct CollimatedSource {
 }
 
 impl CollimatedSource {
-    /// Of a light, its pixels in bins and the light of these, on cells.
+    /// Of a light's pixels in bins, and the light of these on cells.
     pub(super) fn new(
         vial: &dyn Vial,
         light: &Light,
-        (bins, binned): (Bins, Light),
+        bins: Bins,
+        parallel: Parallel,
         delta_scaled: &DeltaScaledPhase,
-        cells: VolumeGrid,
-        (purpose, run): (Purpose, &Work),
-    ) -> Result<Self> {
+    ) -> Self {
         let azimuths = azimuths(vial, light);
         let orders = orders_of_azimuth(delta_scaled);
         let of_column = |&m: &isize| azimuths.iter().map(|&phi| around(m, phi) as f32).collect();
-        Ok(CollimatedSource {
+        CollimatedSource {
             bins,
-            parallel: Parallel::for_purpose(
-                vial,
-                (vec![binned], Kernel::default()),
-                cells,
-                purpose,
-                run,
-            )?,
+            parallel,
             weights: orders.iter().map(of_column).collect(),
             channels: orders.iter().map(|&m| channel(delta_scaled, m)).collect(),
-        })
+        }
     }
 }
 

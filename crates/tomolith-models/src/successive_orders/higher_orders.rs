@@ -3,7 +3,7 @@
 use super::convolver::{Convolver, Kernel, Spectrum};
 use super::free_flight::{FreeFlightKernel, Pattern};
 use super::harmonics::Harmonic;
-use super::scattered_light::DeltaScaledPhase;
+use super::scattered_light::{Cells, ScatteringLight};
 use super::unscattered_source::Channel;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
@@ -57,26 +57,22 @@ struct Moment {
 type Moments = Vec<Vec<f32>>;
 
 impl HigherOrders {
+    /// For a light that the resin scatters, whose order 1 is on `cells`; `coarse` brings later orders to voxels. `channels` tell the unscattered light, and
+    /// `of_bins` is how far its bins blur it.
     pub(super) fn new(
         vial: &dyn Vial,
-        (delta_scaled, channels, of_bins): (&DeltaScaledPhase, &[Channel], CellBlur),
-        mu: f64,
-        near: &DoseLayout,
-        factor: usize,
-        (fine, shares): (&DoseLayout, &Arc<Vec<f32>>),
+        of: &ScatteringLight<'_>,
+        channels: &[Channel],
+        of_bins: CellBlur,
+        cells: &Cells,
+        coarse: Coarse,
         work: &Work,
     ) -> Result<Self> {
-        let grid = VolumeGrid {
-            shape: near.grid.shape.map(|n| n / factor),
-            pitch_mm: near.grid.pitch_mm * factor as f64,
-            height_mm: near.grid.pitch_mm * factor as f64,
-            center_mm: near.grid.center_mm,
-        };
-        let coarse = Coarse::of_grid(grid.clone(), fine).with_shares(Arc::clone(shares));
+        let (delta_scaled, grid) = (&of.delta_scaled, &coarse.layout.grid);
         let [nz, ny, nx] = grid.shape;
         let convolver = Convolver::new([nx, ny, nz], coarse.layout.row);
         let free_flight = FreeFlightKernel {
-            mu,
+            mu: of.light.resin.attenuation_per_mm,
             edge: grid.pitch_mm,
         };
         let moments: Vec<Moment> = delta_scaled
@@ -109,7 +105,7 @@ impl HigherOrders {
             Ok(convolver.kernel(octant, p.parities()))
         });
         let kernels = kernels.collect::<Result<_>>()?;
-        let resin = resin_of(vial, &grid);
+        let resin = resin_of(vial, grid);
         let (mean, line) = (
             CellBlur::mean(free_flight.edge),
             CellBlur::interpolation(free_flight.edge),
@@ -117,8 +113,8 @@ impl HigherOrders {
         let is_full = full_cells(&coarse.layout, |at| vial.in_resin(at));
         let sharpen = |blur| Sharpen::new(&coarse.layout, &is_full, blur);
         let mut higher = HigherOrders {
-            near: near.clone(),
-            factor,
+            near: DoseLayout::new("dose", cells.grid.clone(), 0),
+            factor: cells.factor,
             given: sharpen(of_bins + mean + mean),
             between: sharpen(mean + mean),
             seen: sharpen(mean + line),

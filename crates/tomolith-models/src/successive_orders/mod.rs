@@ -36,7 +36,7 @@
 //! use std::sync::Arc;
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, successive_orders, rays::Optics};
+//! use tomolith_models::{DoseModel, Work, successive_orders, rays::Optics};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
@@ -75,7 +75,7 @@ use super::{
     Capabilities, Cost, DoseLayout, DoseModel, Family, HostModel, MakeFamily, ModelFamily,
     ModelInput, ModelKind, OpticalScene, Purpose, Work, ZCoupling,
 };
-use scattered_light::{DeltaScaledPhase, ScatteredLight};
+use scattered_light::{DeltaScaledPhase, ScatteredLight, ScatteringLight};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::form::{Form, Masked};
@@ -218,8 +218,8 @@ impl Params {
             params.rays_per_pixel = Some(params.rays() * refine * refine);
         }
         let lights = input.scene.lights.to_vec();
-        let purpose = (finding, input.work);
-        model_for(vial, lights, optics, &params, input.grid.clone(), purpose)
+        let (grid, work) = (input.grid.clone(), input.work);
+        model_for(vial, lights, optics, &params, grid, finding, work)
     }
 }
 
@@ -259,8 +259,8 @@ pub fn model(
     params: &Params,
     grid: VolumeGrid,
 ) -> Result<SuccessiveOrders> {
-    let purpose = (Purpose::Probe, &Work::new());
-    model_for(vial, lights, optics, params, grid, purpose)
+    let (purpose, work) = (Purpose::Probe, Work::new());
+    model_for(vial, lights, optics, params, grid, purpose, &work)
 }
 
 /// The [`model`] for a purpose, of a run that may be canceled while its kernels are computed.
@@ -270,7 +270,8 @@ fn model_for(
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-    purpose: (Purpose, &Work),
+    purpose: Purpose,
+    work: &Work,
 ) -> Result<SuccessiveOrders> {
     if let Some(reason) = beyond(vial, &lights, optics, &grid) {
         return Err(Error::unsupported(
@@ -279,25 +280,29 @@ fn model_for(
         ));
     }
     let layout = DoseLayout::new("dose", grid.clone(), 0);
-    let mut plans = Vec::new();
+    let mut scattered = Vec::new();
     let (mut offset, mut first_frame) = (0, 0);
     for (number, (light, optics)) in lights.iter_mut().zip(optics).enumerate() {
-        let place = (number, offset, first_frame);
-        offset += light.layout(0).len();
-        first_frame += light.pixels.frames();
+        let pixels = offset..offset + light.layout(0).len();
+        let frames = first_frame..first_frame + light.pixels.frames();
+        (offset, first_frame) = (pixels.end, frames.end);
         if let Some(scattering) = &optics.scattering {
             let delta_scaled = DeltaScaledPhase::new(scattering);
             light.resin.attenuation_per_mm -= delta_scaled.straight_per_mm;
-            let cone = Some(optics).filter(|optics| optics.beyond_level().is_some());
-            plans.push((place, (light.clone(), cone), delta_scaled));
+            scattered.push(ScatteringLight {
+                number,
+                pixels,
+                frames,
+                light: light.clone(),
+                cone: Some(optics).filter(|optics| optics.beyond_level().is_some()),
+                delta_scaled,
+            });
         }
     }
-    let straight = straight(vial, lights, optics, params, grid, purpose)?;
-    let scattered_lights = plans
+    let straight = straight(vial, lights, optics, params, grid, purpose, work)?;
+    let scattered_lights = scattered
         .into_iter()
-        .map(|(place, light, delta_scaled)| {
-            ScatteredLight::new(vial, light, &delta_scaled, params, &layout, place, purpose)
-        })
+        .map(|light| ScatteredLight::new(vial, light, params, &layout, purpose, work))
         .collect::<Result<_>>()?;
     Ok(SuccessiveOrders {
         straight,
@@ -312,11 +317,12 @@ fn straight(
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-    (purpose, run): (Purpose, &Work),
+    purpose: Purpose,
+    work: &Work,
 ) -> Result<OnVoxels> {
     if optics.iter().all(|o| o.beyond_level().is_none()) {
-        let of = (lights, parallel::Kernel::default());
-        let model = Parallel::for_purpose(vial, of, grid, purpose, run)?;
+        let kernel = parallel::Kernel::default();
+        let model = Parallel::for_purpose(vial, lights, kernel, grid, purpose, work)?;
         return Ok(OnVoxels::Collimated(Box::new(model)));
     }
     let rays = by_rays(vial, lights, optics, params, &grid)?;

@@ -2,7 +2,7 @@
 
 use super::bins::Bins;
 use super::collimated_source::CollimatedSource;
-use super::convolver::{Convolver, Kernel};
+use super::convolver::{self, Convolver};
 use super::divergent_source::DivergentSource;
 use super::free_flight::{FreeFlightKernel, Pattern};
 use super::harmonics::{Harmonic, coefficients};
@@ -11,6 +11,7 @@ use super::unscattered_source::{Channel, UnscatteredSource};
 use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
+use crate::parallel::{Kernel, Parallel};
 use crate::rays::Optics;
 use crate::{DoseLayout, Purpose, Work};
 use std::f64::consts::PI;
@@ -72,6 +73,18 @@ impl DeltaScaledPhase {
     }
 }
 
+/// A light that the resin scatters.
+pub(super) struct ScatteringLight<'a> {
+    /// Which light it is, where its pixels lie in a pattern field, and its frames among all.
+    pub(super) number: usize,
+    pub(super) pixels: Range<usize>,
+    pub(super) frames: Range<usize>,
+    pub(super) light: Light,
+    /// None where `parallel` follows it.
+    pub(super) cone: Option<&'a Optics>,
+    pub(super) delta_scaled: DeltaScaledPhase,
+}
+
 /// See the [module page](self).
 pub(super) struct ScatteredLight {
     /// Which light it is, where its pixels lie in a pattern field, and its frames among all.
@@ -84,7 +97,7 @@ pub(super) struct ScatteredLight {
     given: Sharpen,
     seen: Sharpen,
     /// Of each of its fields: to the dose of order 1.
-    kernels: Vec<Kernel>,
+    kernels: Vec<convolver::Kernel>,
     convolver: Convolver,
     /// From the cells of order 1 to voxels.
     coarse: Coarse,
@@ -92,35 +105,30 @@ pub(super) struct ScatteredLight {
 }
 
 impl ScatteredLight {
-    /// Of a light and its optics, None where `parallel` follows it; with the place of its pixels and frames among all.
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, cone): (Light, Option<&Optics>),
-        delta_scaled: &DeltaScaledPhase,
+        of: ScatteringLight<'_>,
         params: &Params,
         fine: &DoseLayout,
-        (number, offset, first_frame): (usize, usize, usize),
-        (purpose, work): (Purpose, &Work),
+        purpose: Purpose,
+        work: &Work,
     ) -> Result<Self> {
+        let (light, delta_scaled) = (&of.light, &of.delta_scaled);
         let edges = cell_edges(vial, delta_scaled, params);
-        let edge = edges[0];
-        let (bins, binned) = Bins::new(&light, edge);
+        let (bins, binned) = Bins::new(light, edges[0]);
         let rays = |optics| by_rays(vial, vec![binned.clone()], &[optics], params, &fine.grid);
-        let rays = cone.cloned().map(rays).transpose()?;
+        let rays = of.cone.cloned().map(rays).transpose()?;
         let lit = rays.as_ref();
         let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
-        let mu = light.resin.attenuation_per_mm;
-        let cells = Cells::new(vial, (delta_scaled, edges, mu), lit, &fine.grid);
+        let cells = Cells::new(vial, &of, edges, lit, &fine.grid);
         cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
         let convolver = Convolver::new([nx, ny, nz], layout.row);
         let free_flight = FreeFlightKernel {
-            mu,
+            mu: light.resin.attenuation_per_mm,
             edge: cells.grid.pitch_mm,
         };
-        let frames = first_frame..first_frame + light.pixels.frames();
-        let len = light.layout(0).len();
         let of_bins = bins.blur();
         let straight: Box<dyn UnscatteredSource> = match rays {
             Some(rays) => Box::new(DivergentSource::new(
@@ -129,15 +137,10 @@ impl ScatteredLight {
                 delta_scaled,
             )),
             None => {
-                let grid = cells.grid.clone();
-                Box::new(CollimatedSource::new(
-                    vial,
-                    &light,
-                    (bins, binned),
-                    delta_scaled,
-                    grid,
-                    (purpose, work),
-                )?)
+                let (lights, kernel, grid) = (vec![binned], Kernel::default(), cells.grid.clone());
+                let parallel = Parallel::for_purpose(vial, lights, kernel, grid, purpose, work)?;
+                let source = CollimatedSource::new(vial, light, bins, parallel, delta_scaled);
+                Box::new(source)
             }
         };
         let channels = straight.channels();
@@ -158,25 +161,19 @@ impl ScatteredLight {
             CellBlur::interpolation(free_flight.edge),
         );
         let shares = Arc::new(resin_of(vial, &fine.grid));
+        let coarse = |grid| Coarse::of_grid(grid, fine).with_shares(Arc::clone(&shares));
+        let later = coarse(cells.of_later_orders());
         Ok(ScatteredLight {
-            light: number,
-            pixels: offset..offset + len,
-            frames,
             given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
             seen: Sharpen::new(&layout, &is_full, mean + line),
             kernels,
-            higher: HigherOrders::new(
-                vial,
-                (delta_scaled, channels, of_bins),
-                mu,
-                &layout,
-                cells.factor,
-                (fine, &shares),
-                work,
-            )?,
+            higher: HigherOrders::new(vial, &of, channels, of_bins, &cells, later, work)?,
             straight,
             convolver,
-            coarse: Coarse::of_grid(cells.grid, fine).with_shares(shares),
+            coarse: coarse(cells.grid),
+            light: of.number,
+            pixels: of.pixels,
+            frames: of.frames,
         })
     }
 
@@ -261,7 +258,7 @@ impl ScatteredLight {
         self.coarse.gather(cotangent, &mut cells);
         let once = self.convolver.transform(&self.seen.of(&cells));
         let higher = self.higher.adjoint(cotangent, work)?;
-        let source = |(channel, kernel): (usize, &Kernel)| {
+        let source = |(channel, kernel): (usize, &convolver::Kernel)| {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
             kernel.add(&once, true, &mut sum);
             let mut cells = vec![0.0; self.coarse.layout.len()];
@@ -328,23 +325,24 @@ fn margin_mm(delta_scaled: &DeltaScaledPhase, mu: f64, radius: f64) -> f64 {
 const MOST_CELLS: usize = 1 << 22;
 
 /// The cells of order 1, and how many of them make one of the later orders.
-struct Cells {
-    grid: VolumeGrid,
-    factor: usize,
+pub(super) struct Cells {
+    pub(super) grid: VolumeGrid,
+    pub(super) factor: usize,
 }
 
 impl Cells {
     /// Cells over the resin, from below to above what is lit or wanted.
     fn new(
         vial: &dyn Vial,
-        (delta_scaled, edges, mu): (&DeltaScaledPhase, [f64; 2], f64),
+        of: &ScatteringLight<'_>,
+        edges: [f64; 2],
         [lit_low, lit_high]: [f64; 2],
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
-        let edge = edges[0];
+        let (edge, mu) = (edges[0], of.light.resin.attenuation_per_mm);
         let factor = cells_of_later_orders(edges, mu, radius);
-        let margin = margin_mm(delta_scaled, mu, radius);
+        let margin = margin_mm(&of.delta_scaled, mu, radius);
         let [low, high] = fine.bounds_mm();
         let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
         let count =
@@ -358,6 +356,17 @@ impl Cells {
                 center_mm: [0.0, 0.0, (low + high) / 2.0],
             },
             factor,
+        }
+    }
+
+    /// The larger cells of later orders.
+    fn of_later_orders(&self) -> VolumeGrid {
+        let edge = self.grid.pitch_mm * self.factor as f64;
+        VolumeGrid {
+            shape: self.grid.shape.map(|n| n / self.factor),
+            pitch_mm: edge,
+            height_mm: edge,
+            center_mm: self.grid.center_mm,
         }
     }
 

@@ -87,8 +87,8 @@ fn unscattered(
     params: &Params,
     grid: &VolumeGrid,
 ) -> OnVoxels {
-    let purpose = (Purpose::Probe, &Work::new());
-    straight(vial, lights, optics, params, grid.clone(), purpose).unwrap()
+    let (purpose, work) = (Purpose::Probe, Work::new());
+    straight(vial, lights, optics, params, grid.clone(), purpose, &work).unwrap()
 }
 
 #[test]
@@ -149,14 +149,15 @@ fn doses_of_all_purposes_agree_and_have_their_adjoint() {
     let grid = VolumeGrid::centered([9, 14, 14], 0.3);
     let x: Vec<f32> = noise(5, 13 * 7 * 11).iter().map(|v| v.abs()).collect();
     let model_of = |purpose| {
-        let purpose = (purpose, &Work::new());
+        let (params, work) = (Params::default(), Work::new());
         model_for(
             &vial,
             lights(),
             &optics,
-            &Params::default(),
+            &params,
             grid.clone(),
             purpose,
+            &work,
         )
         .unwrap()
     };

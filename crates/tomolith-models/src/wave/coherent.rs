@@ -66,11 +66,7 @@ pub(super) struct Coherent<T: Number> {
 }
 
 impl<T: Number> Coherent<T> {
-    pub(super) fn new(
-        windows: Windows<T>,
-        (beam, limit): (Beam, BandLimit),
-        modes: Vec<Mode>,
-    ) -> Self {
+    pub(super) fn new(windows: Windows<T>, beam: Beam, limit: BandLimit, modes: Vec<Mode>) -> Self {
         let interpolation = DepthInterpolation::new(&windows.sampling);
         let mut waves = Coherent {
             middle: windows
@@ -210,7 +206,8 @@ impl<T: Number> Coherent<T> {
     /// A spectrum as the tapered limit leaves it at a depth, or as it is.
     fn tapered<'a>(
         &self,
-        (wave, depth): (usize, usize),
+        wave: usize,
+        depth: usize,
         here: &'a [Complex<T>],
         out: &'a mut Vec<Complex<T>>,
     ) -> &'a [Complex<T>] {
@@ -248,7 +245,7 @@ impl<T: Number> Coherent<T> {
                 for scratch in &mut scratches {
                     self.advance(wave, depth, &mut scratch.here);
                     let (here, parts) = scratch.split();
-                    let here = self.tapered((wave, depth), here, &mut tapered);
+                    let here = self.tapered(wave, depth, here, &mut tapered);
                     self.windows.field(here, parts);
                 }
                 let Some(interpolation) = &self.interpolation else {
@@ -296,10 +293,10 @@ impl<T: Number> Coherent<T> {
             back.begin(start);
             let mut next = 0;
             for depth in 0..self.windows.sampling.transformed().count {
-                self.field_of_image((wave, depth), scratch, &mut back.tapered);
+                self.field_of_image(wave, depth, scratch, &mut back.tapered);
                 let Some(interpolation) = &self.interpolation else {
                     cotangent(depth, mode, &mut scratch.field);
-                    self.send((wave, depth), scratch, &mut back);
+                    self.send(wave, depth, scratch, &mut back);
                     continue;
                 };
                 interpolation.keep(depth, &scratch.field, &mut scratch.interpolation);
@@ -314,7 +311,7 @@ impl<T: Number> Coherent<T> {
                 interpolation.back(done.clone(), len, &mut scratch.interpolation);
                 for (i, depth) in done.enumerate() {
                     std::mem::swap(&mut scratch.field, &mut scratch.interpolation.now[i]);
-                    self.send((wave, depth), scratch, &mut back);
+                    self.send(wave, depth, scratch, &mut back);
                 }
             }
         }
@@ -324,12 +321,13 @@ impl<T: Number> Coherent<T> {
     /// `scratch.field` = the field of the image at a depth, `scratch.power` brought to it.
     fn field_of_image(
         &self,
-        (wave, depth): (usize, usize),
+        wave: usize,
+        depth: usize,
         scratch: &mut Scratch<T>,
         tapered: &mut Vec<Complex<T>>,
     ) {
         self.advance(wave, depth, &mut scratch.power);
-        let kernel = self.tapered((wave, depth), &scratch.power, tapered);
+        let kernel = self.tapered(wave, depth, &scratch.power, tapered);
         for ((v, &s), &p) in scratch.here.iter_mut().zip(&scratch.spectrum).zip(kernel) {
             *v = s * p;
         }
@@ -338,11 +336,11 @@ impl<T: Number> Coherent<T> {
     }
 
     /// `scratch.sum` += what `scratch.field` at a depth sends back.
-    fn send(&self, (wave, depth): (usize, usize), scratch: &mut Scratch<T>, back: &mut Back<T>) {
+    fn send(&self, wave: usize, depth: usize, scratch: &mut Scratch<T>, back: &mut Back<T>) {
         self.advance(wave, depth, &mut back.power);
         self.windows
             .field_back(&mut back.spectrum, scratch.split().1);
-        let kernel = self.tapered((wave, depth), &back.power, &mut back.tapered);
+        let kernel = self.tapered(wave, depth, &back.power, &mut back.tapered);
         for ((sum, &b), &p) in scratch.sum.iter_mut().zip(&back.spectrum).zip(kernel) {
             *sum = *sum + b * p.conj();
         }
@@ -362,8 +360,8 @@ impl<T: Number> Coherent<T> {
             let weight = T::of(mode.weight);
             let both = |i: usize| two * (psi[i] * chi[i].conj()).re;
             let own = |i: usize| chi[i].norm_sqr();
-            self.windows.add_at(depth, (first, row), weight, both);
-            self.windows.add_at(depth, (second, row), weight, own);
+            self.windows.add_at(depth, first, row, weight, both);
+            self.windows.add_at(depth, second, row, weight, own);
         });
     }
 }
@@ -442,7 +440,7 @@ impl<T: Number> Propagation<T> for Coherent<T> {
         self.propagate([scratch], |depth, mode, [field]| {
             let weight = T::of(mode.weight);
             let value = |i: usize| field[i].norm_sqr();
-            self.windows.add_at(depth, (samples, row), weight, value);
+            self.windows.add_at(depth, samples, row, weight, value);
         });
     }
 
@@ -456,8 +454,7 @@ impl<T: Number> Propagation<T> for Coherent<T> {
     ) {
         let ask = |depth: usize, mode: &Mode, field: &mut [Complex<T>]| {
             let twice = T::of(2.0 * mode.weight);
-            self.windows
-                .multiply_by(depth, (samples, row), twice, field);
+            self.windows.multiply_by(depth, samples, row, twice, field);
         };
         self.pull_back(scratch, ask, take);
     }

@@ -192,8 +192,7 @@ impl<T: Number> Propagation<T> for Cones<T> {
             self.windows.field(here, parts);
             let field = &scratch.field;
             let value = |i: usize| field[i].re;
-            self.windows
-                .add_at(depth, (&mut *samples, row), T::one(), value);
+            self.windows.add_at(depth, samples, row, T::one(), value);
         }
     }
 
@@ -210,9 +209,8 @@ impl<T: Number> Propagation<T> for Cones<T> {
         let mut back = vec![zero(); len];
         for (depth, transfer) in self.transfers.iter().enumerate() {
             scratch.field.fill(Complex::new(T::one(), T::zero()));
-            let asked = (samples, row);
             self.windows
-                .multiply_by(depth, asked, T::one(), &mut scratch.field);
+                .multiply_by(depth, samples, row, T::one(), &mut scratch.field);
             self.windows.field_back(&mut back, scratch.split().1);
             for ((sum, b), &t) in scratch.sum.iter_mut().zip(&back).zip(transfer) {
                 *sum = *sum + b.scale(t);

@@ -85,12 +85,7 @@ impl<T: Number> Ring<T> {
             for ((sum, slots), out) in sums.iter().zip(&slots).zip(outs.iter_mut()) {
                 let mut parts = [[T::zero(); BLOCK]; 2];
                 for ((to, slots), weights) in parts.iter_mut().zip(slots).zip(&sum.weights) {
-                    T::add_rows(
-                        to,
-                        &self.numbers,
-                        (slots, weights),
-                        (self.row, first, lanes),
-                    );
+                    T::add_rows(to, &self.numbers, slots, weights, self.row, first, lanes);
                 }
                 let [re, im] = &parts;
                 for ((out, &re), &im) in out[first..].iter_mut().zip(re).zip(im) {

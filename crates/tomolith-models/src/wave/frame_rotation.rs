@@ -13,7 +13,8 @@ use super::resample::{Places, mirrored};
 use super::sampling::Sampling;
 use std::ops::Range;
 use tomolith_core::dose::waves::{Axis, Rotation};
-use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 
 /// Voxels along an edge of a tile.
 pub(super) const TILE: usize = 16;
@@ -74,12 +75,14 @@ pub(super) struct TileEntries<T> {
 
 impl FrameRotation {
     pub(super) fn new(
-        (pixels, sub_angles): (&PatternGrid, usize),
+        light: &Light,
         grid: &VolumeGrid,
         in_resin: Vec<bool>,
-        (uptake, focus): (Uptake, f64),
+        uptake: Uptake,
+        focus: f64,
         lateral: Places,
     ) -> Self {
+        let (pixels, sub_angles) = (&light.pixels, light.sub_angles);
         let [_, ny, nx] = grid.shape;
         let within = |sub: usize| (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
         let azimuths = pixels.azimuths.iter();
@@ -128,8 +131,10 @@ impl FrameRotation {
     /// Enumerates what a frame brings to a tile; its sample [k][j] is slot `first + k·width + j`.
     pub(super) fn enumerate<T: Number>(
         &self,
-        (frame, first): (usize, usize),
-        (xs, ys): (Range<usize>, Range<usize>),
+        frame: usize,
+        first: usize,
+        xs: Range<usize>,
+        ys: Range<usize>,
         sampling: &Sampling,
         entries: &mut TileEntries<T>,
     ) {

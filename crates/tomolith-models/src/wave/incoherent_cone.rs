@@ -28,7 +28,7 @@
 //! ```
 //! use tomolith_core::field::HostField;
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, wave::incoherent_cone::{Params, IncoherentCone}};
+//! use tomolith_models::{DoseModel, Work, wave::incoherent_cone::{Params, IncoherentCone}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 65, 65, 0.002), Resin::pure_radon(1.5));
@@ -48,7 +48,7 @@
 use super::coherent::alone;
 use super::cones::{Cone, Cones};
 use super::light::Propagation;
-use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
+use super::lights::{Lights, affordable_windows, beyond, heights_of, turning};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::{
@@ -92,6 +92,8 @@ impl Params {
             model: "model.incoherent_cone",
             relative_error: self.relative_error,
             rotation_error: self.rotation_error,
+            entrance: self.entrance,
+            focus_mm: self.focus_mm,
             fields_cost: FIELDS_COST,
         }
     }
@@ -181,10 +183,10 @@ fn working_bytes(
 ) -> Result<usize> {
     let settings = params.settings();
     let of_light = |light: &Light| {
-        let (cone, focus) = (params.cone(light), (params.focus_mm, &settings));
+        let windows = affordable_windows(vial, light, &params.cone(light), &settings, grid, 1)?;
         // A real number for every frequency and depth
-        let kernels = |depths: usize| depths.div_ceil(2);
-        working_bytes_of(vial, (light, &cone), focus, grid, (1, 1), kernels)
+        let kernels = windows.sampling.transformed().count.div_ceil(2);
+        Ok(windows.working_bytes(grid, 1, kernels))
     };
     lights.iter().map(of_light).sum()
 }
@@ -201,12 +203,11 @@ impl IncoherentCone {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        let settings = params.settings();
-        let place = ((params.entrance, params.focus_mm), &settings);
-        let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
+        let settings = &params.settings();
+        let build = |light: &Light, layout: &DoseLayout, _, first| {
             let cone = params.cone(light);
             let propagate = |windows| Cones::new(windows, &cone);
-            turning(vial, (light, &cone), place, layout, first_frame, propagate)
+            turning(vial, light, &cone, settings, layout, first, propagate)
         };
         Ok(IncoherentCone(Lights::new(
             settings.model,
@@ -266,7 +267,7 @@ impl DoseModel for IncoherentCone {
             Some((cones.modes_form(), alone(depths)))
         };
         let summary = self.0.described(|_| String::new());
-        self.0.form(spreading, (KIND.name, summary))
+        self.0.form(spreading, KIND.name, summary)
     }
 
     fn describe(&self) -> String {

@@ -46,9 +46,10 @@ impl Lattice {
         taps: usize,
         signal: &Signal,
         depths: [f64; 2],
-        (error, most): (f64, f64),
+        error: f64,
+        most: f64,
     ) -> Self {
-        let of = |ends: Ends| Lattice::fewest_with(taps, signal, (depths, ends), (error, most));
+        let of = |ends: Ends| Lattice::fewest_with(taps, signal, depths, ends, error, most);
         let mirrored = of(Ends::Mirrored);
         if depths[0] > 0.0 && depths[1] > depths[0] {
             let own = of(Ends::Both);
@@ -62,8 +63,10 @@ impl Lattice {
     fn fewest_with(
         taps: usize,
         signal: &Signal,
-        (depths, ends): ([f64; 2], Ends),
-        (error, most): (f64, f64),
+        depths: [f64; 2],
+        ends: Ends,
+        error: f64,
+        most: f64,
     ) -> Self {
         let least = if ends == Ends::Both { taps } else { taps / 2 };
         let lattice = |count: usize| Lattice::of_depths(depths, ends, count);

@@ -56,7 +56,8 @@ pub(super) struct WaveLight<T: Number, P: Propagation<T>> {
 
 impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     pub(super) fn new(
-        (propagation, turn): (P, FrameRotation),
+        propagation: P,
+        turn: FrameRotation,
         plane: [usize; 2],
         row: usize,
         first_frame: usize,
@@ -188,20 +189,14 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
                     light(frame, samples);
                 });
             for (which, dose) in doses.iter_mut().enumerate() {
-                self.turn_onto(frames, (which, N), &samples, dose);
+                self.turn_onto(frames, which, N, &samples, dose);
             }
         }
         Ok(())
     }
 
     /// dose += samples of frames, of which this dose's is one of several
-    fn turn_onto(
-        &self,
-        frames: &[usize],
-        (which, of): (usize, usize),
-        samples: &[T],
-        dose: &mut [T],
-    ) {
+    fn turn_onto(&self, frames: &[usize], which: usize, of: usize, samples: &[T], dose: &mut [T]) {
         let [nx, ny] = self.plane;
         let of_dose = self.rows();
         let band = TILE * nx * self.row;
@@ -212,11 +207,11 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
                 for x in (0..nx).step_by(TILE) {
                     let xs = x..(x + TILE).min(nx);
                     for (i, &frame) in frames.iter().enumerate() {
-                        let place = (frame, (i * of + which) * of_dose);
-                        let area = (xs.clone(), ys.clone());
+                        let first = (i * of + which) * of_dose;
+                        let (xs, ys) = (xs.clone(), ys.clone());
                         let sampling = &self.propagation.windows().sampling;
-                        self.turn.enumerate(place, area, sampling, entries);
-                        self.gather(entries, ys.start, samples, rows);
+                        self.turn.enumerate(frame, first, xs, ys, sampling, entries);
+                        self.gather(entries, tile * TILE, samples, rows);
                     }
                 }
             },
@@ -230,8 +225,9 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
             for (i, &column) in entries.voxels.iter().enumerate() {
                 let own = entries.starts[i] as usize..entries.starts[i + 1] as usize;
                 let at = (column as usize - y * self.plane[0]) * self.row + first;
-                let listed = (&entries.slots[own.clone()], &entries.weights[own]);
-                T::add_rows(&mut rows[at..], samples, listed, (self.row, first, lanes));
+                let (slots, weights) = (&entries.slots[own.clone()], &entries.weights[own]);
+                let out = &mut rows[at..];
+                T::add_rows(out, samples, slots, weights, self.row, first, lanes);
             }
         }
     }
@@ -243,19 +239,19 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         samples.fill(T::zero());
         for y in (0..ny).step_by(TILE) {
             for x in (0..nx).step_by(TILE) {
-                let area = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
+                let (xs, ys) = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
                 let sampling = &self.propagation.windows().sampling;
                 self.turn
-                    .enumerate((frame, 0), area, sampling, &mut entries);
+                    .enumerate(frame, 0, xs, ys, sampling, &mut entries);
                 sorted.sort(&entries);
                 for first in (0..self.propagation.windows().voxels).step_by(LANES_AT_ONCE) {
                     let lanes = (self.propagation.windows().voxels - first).min(LANES_AT_ONCE);
                     for (i, &sample) in sorted.samples.iter().enumerate() {
                         let own = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
                         let at = sample as usize * self.row + first;
-                        let listed = (&sorted.voxels[own.clone()], &sorted.weights[own]);
-                        let place = (self.row, first, lanes);
-                        T::add_rows(&mut samples[at..], cotangent, listed, place);
+                        let (voxels, weights) = (&sorted.voxels[own.clone()], &sorted.weights[own]);
+                        let out = &mut samples[at..];
+                        T::add_rows(out, cotangent, voxels, weights, self.row, first, lanes);
                     }
                 }
             }
@@ -265,7 +261,8 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     /// grad of the pixels of some of this light's frames = F′(x)ᵀ cotangent; `grad` holds these only.
     pub(super) fn pull_back(
         &self,
-        (layout, own): (&PatternLayout, Range<usize>),
+        layout: &PatternLayout,
+        own: Range<usize>,
         x: &[T],
         cotangent: &[T],
         grad: &mut [T],
@@ -348,7 +345,7 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
         let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
         let lit: Vec<usize> = frames.filter(is_lit).collect();
         let light = |frame: usize, samples: &mut [T]| {
-            self.light_along((layout, frame), [x, d], samples);
+            self.light_along(layout, frame, [x, d], samples);
         };
         self.add(doses, &lit, light, work)
     }
@@ -356,7 +353,8 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
     /// 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
     fn light_along(
         &self,
-        (layout, frame): (&PatternLayout, usize),
+        layout: &PatternLayout,
+        frame: usize,
         [x, d]: [&[T]; 2],
         samples: &mut [T],
     ) {

@@ -111,13 +111,7 @@ impl<P: Propagation<f32>> Lights<P> {
         for (light, layout) in self.each() {
             let own = light.own(&frames, layout);
             let grad = &mut grad.as_mut_slice()[layout.elements_of(own.clone())];
-            light.pull_back(
-                (layout, own),
-                x.as_slice(),
-                cotangent.as_slice(),
-                grad,
-                work,
-            )?;
+            light.pull_back(layout, own, x.as_slice(), cotangent.as_slice(), grad, work)?;
         }
         Ok(())
     }
@@ -140,7 +134,8 @@ impl<P: Propagation<f32>> Lights<P> {
     pub(super) fn form(
         &self,
         spreading: impl Fn(&P) -> Option<SpreadingForm>,
-        (model, summary): (&'static str, String),
+        model: &'static str,
+        summary: String,
     ) -> Option<Form> {
         if self.output.grid.shape[0] == 1 {
             return None;
@@ -208,12 +203,13 @@ impl ResinColumns {
 
 /// The transforms that a light needs for the voxels in the resin.
 fn windows_of<T: Number>(
-    (light, beam): (&Light, &dyn Spreading),
+    light: &Light,
+    beam: &dyn Spreading,
     columns: &ResinColumns,
-    (focus_mm, settings): (f64, &Settings),
+    settings: &Settings,
     grid: &VolumeGrid,
 ) -> Result<Windows<T>> {
-    let (pixels, radius) = (&light.pixels, columns.radius);
+    let (pixels, radius, focus_mm) = (&light.pixels, columns.radius, settings.focus_mm);
     let heights = heights_of(pixels.pitch_mm[1], grid)?;
     let nz = grid.shape[0];
     let u = Side {
@@ -249,47 +245,44 @@ fn windows_of<T: Number>(
             "a focal plane closer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
         )
     })?;
-    Ok(Windows::new(sampling, [&u, &z], (heights, nz)))
+    Ok(Windows::new(sampling, [&u, &z], heights, nz))
 }
 
 /// Operations of the Fourier transforms of a frame's dose and pullback at most: some ten minutes of a core.
 const MOST_WORK: f64 = 3e12;
 
-/// Bytes of frames of a light at work, `doses` at a time, in addition to patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
-/// so many depths.
-pub(super) fn working_bytes(
+/// The transforms of a light of so many modes; refuses those that take too long.
+pub(super) fn affordable_windows(
     vial: &dyn Vial,
-    of: (&Light, &dyn Spreading),
-    focus: (f64, &Settings),
+    light: &Light,
+    beam: &dyn Spreading,
+    settings: &Settings,
     grid: &VolumeGrid,
-    (doses, modes): (usize, usize),
-    kernels: impl Fn(usize) -> usize,
-) -> Result<usize> {
-    let windows = windows_of::<f32>(of, &ResinColumns::new(vial, grid), focus, grid)?;
-    let threads = rayon::current_num_threads();
+    modes: usize,
+) -> Result<Windows<f32>> {
+    let windows = windows_of(light, beam, &ResinColumns::new(vial, grid), settings, grid)?;
     let depths = windows.sampling.transformed().count;
     let [image, depth] = windows.operations();
     let work = 3.0 * (image + (depths * modes) as f64 * depth);
     if work > MOST_WORK {
         let [u, z] = windows.sampling.padded;
         return Err(Error::config(
-            focus.1.model,
+            settings.model,
             format!(
                 "a frame takes {depths} depths of {u} × {z} pixels, {modes} modes: {work:.1e} operations, which would take too long"
             ),
             "fewer rings, a focal plane closer to the axis, larger errors, fewer or larger pixels",
         ));
     }
-    let layout = DoseLayout::new("dose", grid.clone(), 0);
-    let more = (doses - 1) * layout.len() * std::mem::size_of::<f32>();
-    Ok(more + windows.working_bytes(layout.row, (threads, doses), kernels(depths)))
+    Ok(windows)
 }
 
 /// A light whose samples turn with an index-matched vial.
 pub(super) fn turning<T: Number, P: Propagation<T>>(
     vial: &dyn Vial,
-    (light, beam): (&Light, &dyn Spreading),
-    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
+    light: &Light,
+    beam: &dyn Spreading,
+    settings: &Settings,
     layout: &DoseLayout,
     first_frame: usize,
     propagate: impl FnOnce(Windows<T>) -> P,
@@ -297,28 +290,20 @@ pub(super) fn turning<T: Number, P: Propagation<T>>(
     let grid = &layout.grid;
     let [_, ny, nx] = grid.shape;
     let columns = ResinColumns::new(vial, grid);
-    let windows = windows_of((light, beam), &columns, (focus_mm, settings), grid)?;
+    let windows = windows_of(light, beam, &columns, settings, grid)?;
     let resin = light.resin.uptake();
     let wall = vial.resin_wall().as_circle();
     let uptake = Uptake {
         active: resin.active_per_mm,
         attenuation: resin.attenuation_per_mm,
-        wall: wall.filter(|_| entrance == Entrance::Wall),
+        wall: wall.filter(|_| settings.entrance == Entrance::Wall),
         entrance: -vial.resin_wall().inscribed_radius(),
     };
-    let turn = FrameRotation::new(
-        (&light.pixels, light.sub_angles),
-        grid,
-        columns.in_resin,
-        (uptake, focus_mm),
-        windows.last,
-    );
-    Ok(WaveLight::new(
-        (propagate(windows), turn),
-        [nx, ny],
-        layout.row,
-        first_frame,
-    ))
+    let (in_resin, focus) = (columns.in_resin, settings.focus_mm);
+    let turn = FrameRotation::new(light, grid, in_resin, uptake, focus, windows.last);
+    let propagation = propagate(windows);
+    let light = WaveLight::new(propagation, turn, [nx, ny], layout.row, first_frame);
+    Ok(light)
 }
 
 /// How rows of pixels and of voxels lie on each other.

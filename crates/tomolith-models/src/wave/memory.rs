@@ -9,7 +9,9 @@
 
 use super::number::Number;
 use super::spectrum::Windows;
+use crate::DoseLayout;
 use std::mem::size_of;
+use tomolith_core::grid::VolumeGrid;
 use tomolith_fourier::Complex;
 
 /// Samples of frames that lie in memory together, in bytes: about a volume of 256³.
@@ -59,16 +61,15 @@ impl<T: Number> Windows<T> {
                 + (computed + between + self.samples(row)) * size_of::<T>())
     }
 
-    /// Bytes of frames at work on so many threads; `kernels`: complex numbers for each frequency that are kept for all frames.
-    pub(super) fn working_bytes(
-        &self,
-        row: usize,
-        (threads, doses): (usize, usize),
-        kernels: usize,
-    ) -> usize {
+    /// Bytes of frames at work, `doses` at a time, in addition to patterns and one dose; `kernels`: complex numbers for each frequency that are kept for all
+    /// frames.
+    pub(super) fn working_bytes(&self, grid: &VolumeGrid, doses: usize, kernels: usize) -> usize {
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let (row, threads) = (layout.row, rayon::current_num_threads());
         let [nu, nz] = self.counts();
         let samples = doses * self.samples(row) * size_of::<T>();
-        kernels * nu * nz * size_of::<Complex<T>>()
+        let more = (doses - 1) * layout.len() * size_of::<T>();
+        more + kernels * nu * nz * size_of::<Complex<T>>()
             + frames_together(samples, threads) * samples
             + threads * self.of_frame(row, doses)
     }

@@ -35,7 +35,7 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, wave::{Params, Wave}};
+//! use tomolith_models::{DoseModel, Work, wave::{Params, Wave}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
@@ -81,7 +81,7 @@ pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
 use light::WaveLight;
 pub use lights::beyond;
-use lights::{Lights, heights_of};
+use lights::{Lights, affordable_windows, heights_of};
 use number::Number;
 use sampling::FIELDS_COST;
 use schemars::JsonSchema;
@@ -148,6 +148,8 @@ impl Params {
             model: "model.wave",
             relative_error: self.relative_error,
             rotation_error: self.rotation_error,
+            entrance: self.entrance,
+            focus_mm: self.focus_mm,
             fields_cost: FIELDS_COST,
         }
     }
@@ -225,6 +227,8 @@ struct Settings {
     model: &'static str,
     relative_error: f64,
     rotation_error: f64,
+    entrance: Entrance,
+    focus_mm: f64,
     /// How much longer a frame takes with interpolated fields than their operations say.
     fields_cost: f64,
 }
@@ -246,13 +250,7 @@ impl Wave {
     ) -> Result<Self> {
         let settings = params.settings();
         let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
-            light_of(
-                vial,
-                light,
-                (params, &settings),
-                layout,
-                (which, first_frame),
-            )
+            light_of(vial, light, params, &settings, layout, which, first_frame)
         };
         let mut lights = Lights::new(settings.model, vial, lights, grid, build)?;
         for patterns in &mut lights.patterns {
@@ -291,9 +289,8 @@ fn working_bytes(
         let beam = beam_of(i, light, params)?;
         // H of every mode, and where it begins
         let modes = modes_of(&beam, params).len();
-        let focus = (params.focus_mm, &settings);
-        let (of, kernels) = ((light, &beam as &dyn Spreading), |_| 2 * modes);
-        lights::working_bytes(vial, of, focus, grid, (doses, modes), kernels)
+        let windows = affordable_windows(vial, light, &beam, &settings, grid, modes)?;
+        Ok(windows.working_bytes(grid, doses, 2 * modes))
     };
     lights.iter().enumerate().map(of_light).sum()
 }
@@ -339,20 +336,16 @@ fn half_a_turn(which: usize, light: &Light, focus_mm: f64) -> Option<String> {
 fn light_of<T: Number>(
     vial: &dyn Vial,
     light: &Light,
-    (params, settings): (&Params, &Settings),
+    params: &Params,
+    settings: &Settings,
     layout: &DoseLayout,
-    (which, first_frame): (usize, usize),
+    which: usize,
+    first_frame: usize,
 ) -> Result<WaveLight<T, Coherent<T>>> {
     let beam = beam_of(which, light, params)?;
-    let place = (params.entrance, params.focus_mm);
-    lights::turning(
-        vial,
-        (light, &beam),
-        (place, settings),
-        layout,
-        first_frame,
-        |windows| Coherent::new(windows, (beam, params.band_limit), modes_of(&beam, params)),
-    )
+    let propagate =
+        |windows| Coherent::new(windows, beam, params.band_limit, modes_of(&beam, params));
+    lights::turning(vial, light, &beam, settings, layout, first_frame, propagate)
 }
 
 /// Wavelength and aperture of a light, checked against its pixels; `which` of the lights it is.
@@ -505,7 +498,7 @@ impl DoseModel for Wave {
     /// Not of a single slice, nor with a tapered band limit.
     fn form(&self) -> Option<Form> {
         let spreading = |waves: &Coherent<f32>| Some((waves.modes_form()?, waves.sums_form()));
-        self.0.form(spreading, (KIND.name, self.summary()))
+        self.0.form(spreading, KIND.name, self.summary())
     }
 
     fn describe(&self) -> String {

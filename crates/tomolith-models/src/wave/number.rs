@@ -13,22 +13,29 @@ pub(super) trait Number: FftNum + Default {
     /// Fourier transforms of a length, there and back.
     fn transforms(length: usize) -> [Arc<dyn Fft<Self>>; 2];
 
-    /// out[z] += Σ weights[i]·source[slots[i]][z], with `entries` = (slots, weights) and `place` = (numbers of a row, first lane, lanes);
-    /// `out` begins at the first lane.
+    /// out[z] += Σ weights[i]·source[slots[i]][z], for so many lanes from the first on, at which `out` begins; rows of `source` are `row` numbers apart.
     fn add_rows(
         out: &mut [Self],
         source: &[Self],
-        entries: (&[u32], &[Self]),
-        place: (usize, usize, usize),
-    );
+        slots: &[u32],
+        weights: &[Self],
+        row: usize,
+        first: usize,
+        lanes: usize,
+    ) {
+        add_plainly(out, source, slots, weights, row, first, lanes);
+    }
 }
 
 /// The plain loop of [`Number::add_rows`].
 fn add_plainly<T: Number>(
     out: &mut [T],
     source: &[T],
-    (slots, weights): (&[u32], &[T]),
-    (row, first, lanes): (usize, usize, usize),
+    slots: &[u32],
+    weights: &[T],
+    row: usize,
+    first: usize,
+    lanes: usize,
 ) {
     for (&slot, &weight) in slots.iter().zip(weights) {
         let from = &source[slot as usize * row + first..][..lanes];
@@ -51,15 +58,6 @@ impl Number for f64 {
             plans.plan_fft_inverse(length),
         ]
     }
-
-    fn add_rows(
-        out: &mut [f64],
-        source: &[f64],
-        entries: (&[u32], &[f64]),
-        place: (usize, usize, usize),
-    ) {
-        add_plainly(out, source, entries, place);
-    }
 }
 
 impl Number for f32 {
@@ -75,11 +73,14 @@ impl Number for f32 {
     fn add_rows(
         out: &mut [f32],
         source: &[f32],
-        (slots, weights): (&[u32], &[f32]),
-        (row, first, lanes): (usize, usize, usize),
+        slots: &[u32],
+        weights: &[f32],
+        row: usize,
+        first: usize,
+        lanes: usize,
     ) {
         if !row.is_multiple_of(LANES) {
-            return add_plainly(out, source, (slots, weights), (row, first, lanes));
+            return add_plainly(out, source, slots, weights, row, first, lanes);
         }
         let entries = Entries { slots, weights };
         for begin in (0..lanes).step_by(MAX_BLOCK * LANES) {

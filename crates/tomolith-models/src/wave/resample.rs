@@ -60,7 +60,7 @@ impl<T: Number> Rows<T> {
                 slots.clear();
                 slots.extend(self.slots[own.clone()].iter().map(of_row));
                 let to = &mut out[(i * rows + j) * row..][..row];
-                T::add_rows(to, source, (&slots, &self.weights[own]), (row, 0, row));
+                T::add_rows(to, source, &slots, &self.weights[own], row, 0, row);
             }
         }
     }

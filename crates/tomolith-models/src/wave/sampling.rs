@@ -149,7 +149,7 @@ fn ways_along(beam: &dyn Spreading, depths: [f64; 2], error: f64) -> Vec<Rungs> 
         let middles = MIDDLES.iter().map(|share| share * beam.depth_band());
         let of_middle = |middle| {
             let signal = beam.field(middle)?;
-            let depths = Lattice::fewest(taps, &signal, depths, (error * FIELDS, MOST_SAMPLES));
+            let depths = Lattice::fewest(taps, &signal, depths, error * FIELDS, MOST_SAMPLES);
             Some(FieldRung {
                 depths,
                 taps,
@@ -175,7 +175,7 @@ fn ways_along(beam: &dyn Spreading, depths: [f64; 2], error: f64) -> Vec<Rungs> 
 /// All ways to sample the depths of light.
 fn ways_from_light(signal: &Signal, depths: [f64; 2], error: f64) -> Vec<Rungs> {
     let fewest =
-        |taps: usize, error: f64| Lattice::fewest(taps, signal, depths, (error, MOST_SAMPLES));
+        |taps: usize, error: f64| Lattice::fewest(taps, signal, depths, error, MOST_SAMPLES);
     let half = error * FRAC_1_SQRT_2;
     let close = CLOSE_TAPS.map(|taps| (fewest(taps, half), taps));
     let mut ways = Vec::new();

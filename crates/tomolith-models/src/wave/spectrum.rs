@@ -163,7 +163,8 @@ impl<T: Number> Windows<T> {
     pub(super) fn new(
         sampling: Sampling,
         [u, z]: [&Side; 2],
-        (heights, voxels): (Heights, usize),
+        heights: Heights,
+        voxels: usize,
     ) -> Self {
         let window = [
             sampling.padded[0] as f64 * u.pitch,
@@ -444,7 +445,8 @@ impl<T: Number> Windows<T> {
     pub(super) fn add_at(
         &self,
         depth: usize,
-        (samples, row): (&mut [T], usize),
+        samples: &mut [T],
+        row: usize,
         weight: T,
         value: impl Fn(usize) -> T,
     ) {
@@ -460,7 +462,8 @@ impl<T: Number> Windows<T> {
     pub(super) fn multiply_by(
         &self,
         depth: usize,
-        (samples, row): (&[T], usize),
+        samples: &[T],
+        row: usize,
         weight: T,
         field: &mut [Complex<T>],
     ) {

@@ -38,10 +38,9 @@ fn grid() -> VolumeGrid {
 
 fn settings(error: f64) -> Settings {
     Settings {
-        model: "model.wave",
         relative_error: error,
         rotation_error: error,
-        fields_cost: FIELDS_COST,
+        ..Params::default().settings()
     }
 }
 
@@ -68,7 +67,12 @@ type Precise = (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout);
 fn precise(light: &Light, params: &Params, settings: Settings, grid: VolumeGrid) -> Precise {
     let layout = DoseLayout::new("dose", grid, 0);
     let vial = if light.resin.pure_radon { WIDE } else { VIAL };
-    let built = light_of(&vial, light, (params, &settings), &layout, (0, 0)).unwrap();
+    let settings = Settings {
+        entrance: params.entrance,
+        focus_mm: params.focus_mm,
+        ..settings
+    };
+    let built = light_of(&vial, light, params, &settings, &layout, 0, 0).unwrap();
     (built, light.layout(0), layout)
 }
 
@@ -96,7 +100,8 @@ impl Direct {
         light: &Light,
         frame: usize,
         x: &[f64],
-        (padded, aperture): ([usize; 2], Option<f64>),
+        padded: [usize; 2],
+        aperture: Option<f64>,
         mode: [f64; 2],
     ) -> Self {
         // A quarter of the band fades as cos²
@@ -221,7 +226,7 @@ fn dose_is_the_direct_sum_over_frequencies() {
         let frames: Vec<Direct> = (0..3)
             .flat_map(|frame| {
                 let modes = modes_of_the_page(&light, &params).into_iter();
-                let own = |mode| Direct::new(&light, frame, &x, (padded, aperture), mode);
+                let own = |mode| Direct::new(&light, frame, &x, padded, aperture, mode);
                 modes.map(own).collect::<Vec<_>>()
             })
             .collect();
@@ -279,7 +284,7 @@ fn light_of_interpolated_fields_is_the_direct_sum() {
     assert!(fields.is_some_and(|count| count < sampling.along.computed.count));
     let x = amplitudes(7, model.1.len());
     let dose = dose_of(&model, &x);
-    let direct = Direct::new(&light, 0, &x, (sampling.padded, None), [0.0; 2]);
+    let direct = Direct::new(&light, 0, &x, sampling.padded, None, [0.0; 2]);
     let grid = &model.2.grid;
     let (mut error, mut square) = (0.0, 0.0);
     for ix in 0..64 {
@@ -312,15 +317,9 @@ fn derivative_error(model: &Precise) -> f64 {
     };
     let (more, less) = (at(1.0), at(-1.0));
     let mut grad = vec![0.0; pixels.len()];
-    built
-        .pull_back(
-            (pixels, 0..pixels.grid.frames()),
-            &x,
-            &cotangent,
-            &mut grad,
-            &Work::new(),
-        )
-        .unwrap();
+    let (frames, work) = (0..pixels.grid.frames(), Work::new());
+    let pulled = built.pull_back(pixels, frames, &x, &cotangent, &mut grad, &work);
+    pulled.unwrap();
     let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
     (slope - 0.5 * (more - less)).abs() / (more.abs() + less.abs())
 }
@@ -340,15 +339,9 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
             built.add_along(pixels, [&x, &x], doses, &work).unwrap();
             let cotangent = vec![1.0; layout.len()];
             let mut grad = vec![0.0; pixels.len()];
-            built
-                .pull_back(
-                    (pixels, 0..pixels.grid.frames()),
-                    &x,
-                    &cotangent,
-                    &mut grad,
-                    &work,
-                )
-                .unwrap();
+            let frames = 0..pixels.grid.frames();
+            let pulled = built.pull_back(pixels, frames, &x, &cotangent, &mut grad, &work);
+            pulled.unwrap();
             built.kept_bytes()
         });
         let windows = built.propagation.windows();
@@ -403,7 +396,7 @@ fn the_model_of_a_job_is_an_exact_pair_in_f32() {
 fn the_field_before_the_focus_is_the_conjugate_of_that_behind_it() {
     let light = light(1);
     let x = amplitudes(5, light.layout(0).len());
-    let direct = Direct::new(&light, 0, &x, ([48; 2], None), [0.0; 2]);
+    let direct = Direct::new(&light, 0, &x, [48; 2], None, [0.0; 2]);
     let mut worst = 0.0f64;
     for i in 0..20 {
         let t = f64::from(i) * 0.3e-3;
@@ -428,7 +421,9 @@ fn along_the_light(light: &Light, x: &[f64], params: &Params, grid: &VolumeGrid)
 
 /// Light from +x onto pixels of an edge `pitch`, and amplitudes by a function of u and z.
 fn beam_from_x(
-    (rows, columns, pitch): (usize, usize, f64),
+    rows: usize,
+    columns: usize,
+    pitch: f64,
     amplitude: impl Fn(f64, f64) -> f64,
 ) -> (Light, Vec<f64>) {
     let light = Light::new(
@@ -447,7 +442,7 @@ fn beam_from_x(
 fn a_gaussian_beam_widens_as_its_closed_form() {
     // Waist w₀ = 10 µm in resin: Rayleigh length π·w₀²/λ = 1.164 mm; fluence on the axis 1/(1 + (d/z_R)²) of the waist's
     let waist = 0.01;
-    let (light, x) = beam_from_x((192, 96, 0.001), |u, z| {
+    let (light, x) = beam_from_x(192, 96, 0.001, |u, z| {
         (-(u * u + z * z) / (waist * waist)).exp()
     });
     let rayleigh = PI * waist * waist / (405e-6 / 1.5);
@@ -480,7 +475,7 @@ fn a_grating_repeats_itself_at_the_talbot_distance() {
     let period = 0.008;
     // Under a wide Gaussian, whose own Rayleigh lengths are 23 and 94 mm, so that no edge throws rings
     let envelope = |u: f64, z: f64| (-(u / 0.09).powi(2) - (z / 0.045).powi(2)).exp();
-    let (light, x) = beam_from_x((128, 256, 0.002), |u, z| {
+    let (light, x) = beam_from_x(128, 256, 0.002, |u, z| {
         envelope(u, z) * (0.5 + 0.5 * (TAU * u / period).cos())
     });
     let k = 1.5 / 405e-6f64;
@@ -515,7 +510,7 @@ fn two_slits_interfere_with_the_spacing_of_young() {
     // Slits 16 µm apart, 4 mm before: fringes λ·L/s = 67.5 µm apart
     let (slit, distance) = (0.016, 4.0);
     // Each slit two pixels wide, and Gaussian along z
-    let (light, x) = beam_from_x((64, 192, 0.002), |u, z| {
+    let (light, x) = beam_from_x(64, 192, 0.002, |u, z| {
         f64::from(u8::from((u.abs() - slit / 2.0).abs() < 0.0011)) * (-(z / 0.022).powi(2)).exp()
     });
     let grid = VolumeGrid::centered([2, 101, 1], 0.002);
@@ -533,7 +528,7 @@ fn two_slits_interfere_with_the_spacing_of_young() {
 
 #[test]
 fn energy_of_a_frame_is_the_same_at_all_depths() {
-    let (light, x) = beam_from_x((24, 24, 0.001), |u, z| {
+    let (light, x) = beam_from_x(24, 24, 0.001, |u, z| {
         (-(u * u + z * z) / 25e-6).exp() * (1.0 + 0.5 * (1500.0 * u).sin())
     });
     let grid = VolumeGrid::centered([64, 64, 3], 0.001);

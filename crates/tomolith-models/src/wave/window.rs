@@ -83,7 +83,7 @@ pub(super) fn wide(
     let at = |depth: f64| {
         let reach = side.reach(depth);
         // Not the middle of the band either: its end would ring
-        narrowest(&slopes, (side, depth), error).max(reach + beam.spreads(i, depth))
+        narrowest(&slopes, side, depth, error).max(reach + beam.spreads(i, depth))
     };
     let share = |k: i32| f64::from(k) / f64::from(DEPTHS);
     let depths = (1..=DEPTHS).map(|k| nearest + (deepest - nearest) * share(k));
@@ -91,7 +91,7 @@ pub(super) fn wide(
 }
 
 /// The smallest window, mm, that is good enough at a depth; `slopes`: travel over depth, and share of the power.
-fn narrowest(slopes: &[(f64, f64)], (side, depth): (&Side, f64), error: f64) -> f64 {
+fn narrowest(slopes: &[(f64, f64)], side: &Side, depth: f64, error: f64) -> f64 {
     let (reach, length) = (side.reach(depth), side.pitch * side.pixels as f64);
     let lost = |window: f64| -> f64 {
         let of = |&(slope, power): &(f64, f64)| {

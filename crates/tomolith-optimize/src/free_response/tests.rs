@@ -207,8 +207,10 @@ impl Known {
     fn fixed(&self, steepness: f64, midpoint: f64, iterations: usize) -> f64 {
         let own = self.with_response(&[steepness, midpoint]);
         let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
-        let (problem, stop) = ((&self.model as &Model, &*own), Stop::after(iterations));
-        let outcome = solve(problem, (LIMITS, 0.4), &mut method, &stop).1.unwrap();
+        let (model, stop) = (&self.model as &Model, Stop::after(iterations));
+        let outcome = solve(model, &*own, LIMITS, 0.4, &mut method, &stop)
+            .1
+            .unwrap();
         assert!(outcome.response.is_empty());
         outcome.loss
     }

@@ -18,7 +18,7 @@ use tomolith_objective::check::of_ring;
 type Observers<'a> = &'a mut [&'a mut dyn Observer<HostField>];
 
 fn objective(model: &SmallModel, name: &str) -> Box<dyn Objective<HostField>> {
-    of_ring(model, (name, json!({})), Arc::new(Identity))
+    of_ring(model, name, json!({}), Arc::new(Identity))
 }
 
 fn newton() -> Lbfgs<HostField> {
@@ -36,13 +36,13 @@ fn go(
     optimizer: &mut dyn Optimizer<HostField>,
     stop: Stop,
 ) -> (HostField, Result<Outcome>) {
-    let limits = (Limits::default(), 0.5);
-    solve((model, objective), limits, optimizer, &stop)
+    solve(model, objective, Limits::default(), 0.5, optimizer, &stop)
 }
 
 /// The same with checkpoints, watched.
 fn go_on(
-    (model, objective): (&Model, &dyn Objective<HostField>),
+    model: &Model,
+    objective: &dyn Objective<HostField>,
     optimizer: &mut dyn Optimizer<HostField>,
     stop: Stop,
     checkpoints: Option<&mut Checkpoints>,
@@ -121,7 +121,8 @@ fn every_reason_to_stop_stops() {
         _ => ControlFlow::Continue(()),
     };
     let (_, outcome) = go_on(
-        (&model, &*l2),
+        &model,
+        &*l2,
         &mut newton(),
         Stop::after(9),
         None,
@@ -534,8 +535,8 @@ fn a_model_that_becomes_another_is_measured_anew_and_resumed_to_the_same_bits() 
     let objective = objective(&brighter().inner, "l2");
     let solve = |iterations: usize, checkpoints: Option<&mut Checkpoints>| {
         let (stop, model) = (Stop::after(iterations), brighter());
-        let problem = (&model as &Model, &*objective);
-        let (x, outcome) = go_on(problem, &mut newton(), stop, checkpoints, &mut []);
+        let newton = &mut newton();
+        let (x, outcome) = go_on(&model, &*objective, newton, stop, checkpoints, &mut []);
         (x, outcome.unwrap())
     };
     let (x, whole) = solve(7, None);
@@ -563,9 +564,9 @@ fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
     let checkpoints =
         |fingerprint| Checkpoints::new(folder.path(), fingerprint, &Params::default()).unwrap();
     let resume_by = |optimizer: &mut dyn Optimizer<HostField>, fingerprint| {
-        let (stop, checkpoints) = (Stop::after(5), &mut checkpoints(fingerprint));
-        let problem = (&model as &Model, &*objective);
-        go_on(problem, optimizer, stop, Some(checkpoints), &mut []).1
+        let (stop, mut checkpoints) = (Stop::after(5), checkpoints(fingerprint));
+        let checkpoints = Some(&mut checkpoints);
+        go_on(&model, &*objective, optimizer, stop, checkpoints, &mut []).1
     };
     let resume = |fingerprint| resume_by(&mut newton(), fingerprint);
     resume(1).unwrap();
@@ -608,14 +609,14 @@ fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
     };
     let mut checkpoints = Checkpoints::new(folder.path(), 1, &params).unwrap();
     let file = checkpoints.file();
-    let problem = (&model as &Model, &*objective);
     let mut after = |steps| {
-        let stop = Stop::after(steps);
+        let (stop, checkpoints) = (Stop::after(steps), Some(&mut checkpoints));
         go_on(
-            problem,
+            &model,
+            &*objective,
             &mut newton(),
             stop,
-            Some(&mut checkpoints),
+            checkpoints,
             &mut [],
         )
     };

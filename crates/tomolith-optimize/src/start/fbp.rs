@@ -92,8 +92,7 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         let lights = input.model.patterns();
         let voxel_mm3 = input.model.grid().voxel_mm3();
         let fluence = input.over_absorption(&wanted, 1)?;
-        let filter = (self.0.filter, voxel_mm3);
-        let projection = Projection::filtered(x, lights, &fluence, filter)?;
+        let projection = Projection::filtered(x, lights, &fluence, self.0.filter, voxel_mm3)?;
         if projection.patterns.any(work.is_canceled()) {
             return Err(Error::Canceled);
         }

@@ -50,9 +50,9 @@ pub fn inside_fractions(
                 fill_upright(prisms, map, grid, &mut values);
             }
             Body::Prisms(prisms) => {
-                fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, work))
+                fill_solid(&|p| nearest(prisms, p), map, grid, &mut values, work)
             }
-            Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, work)),
+            Body::Solid(surface) => fill_solid(surface, map, grid, &mut values, work),
             Body::GrayFunction(form) => fill_gray(form, map, grid, &mut values),
         }
     }
@@ -184,15 +184,10 @@ fn outline_fractions(prism: &Prism, map: &Map, grid: &VolumeGrid) -> Vec<f64> {
     fractions
 }
 
-fn fill_solid(
-    surface: SurfaceRef,
-    map: &Map,
-    grid: &VolumeGrid,
-    (values, run): (&mut [f32], &Work),
-) {
+fn fill_solid(surface: SurfaceRef, map: &Map, grid: &VolumeGrid, values: &mut [f32], work: &Work) {
     let [nz, ny, nx] = grid.shape;
     let octree = Octree { surface, map, grid };
-    let rows = run.steps(nz.div_ceil(BLOCK) * ny.div_ceil(BLOCK));
+    let rows = work.steps(nz.div_ceil(BLOCK) * ny.div_ceil(BLOCK));
     values
         .chunks_mut(nx * ny * BLOCK)
         .enumerate()

@@ -131,7 +131,7 @@ fn what_is_kept_takes_the_memory_that_was_said() {
             let said = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
             let model = keeping(vial.as_ref(), light, grid);
             let found = model.entries(0, &Work::new()).unwrap();
-            let ratio = found.bytes() as f64 / said;
+            let ratio = found.cached.bytes() as f64 / said;
             assert!(
                 (0.8..1.1).contains(&ratio),
                 "{vial:?} {pitch} {sub_angles}: {ratio}"

@@ -154,7 +154,7 @@ fn models_that_find_entries_anew_or_have_two_lights_have_no_regions() {
     assert!(anew.regions().is_none());
     let kept = keeping(&vial, light.clone(), grid());
     assert!(kept.regions().is_some());
-    let of = (vec![light.clone(), light], Kernel::default());
-    let two = Parallel::planned(&vial, of, grid(), Finding::Once, &Work::new()).unwrap();
+    let (both, kernel, finding) = (vec![light.clone(), light], Kernel::default(), Finding::Once);
+    let two = Parallel::planned(&vial, both, kernel, grid(), finding, &Work::new()).unwrap();
     assert!(two.regions().is_none());
 }

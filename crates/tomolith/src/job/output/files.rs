@@ -370,7 +370,7 @@ fn print<'a>(
                 return Ok(());
             };
             let take = |piece: &Isosurface| put(&piece.corners, &piece.triangles);
-            surface_pieces((labels, response), threshold, take, &work)
+            surface_pieces(labels, response, threshold, take, &work)
         },
         &writing,
     )?;
