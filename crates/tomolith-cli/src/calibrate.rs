@@ -393,8 +393,8 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     ];
     for (i, (name, value, unit)) in values.into_iter().enumerate() {
         let error = fit.errors.and_then(|errors| errors[i]);
-        let said = format!("{} {unit}", with_error(value, error));
-        answer.line(name, said.trim_end().to_owned());
+        let text = format!("{} {unit}", with_error(value, error));
+        answer.line(name, text.trim_end().to_owned());
     }
     answer.number("inhibitor used by", resin.inhibitor_dose(), 4, "mJ/cm²");
     answer.line("off by up to", percent(fit.worst()));

@@ -136,7 +136,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
             let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
             Error::config("RUN", found, "a run that prints a part")
         })?;
-    let window = [together, &report["exposure"]].map(|of| &of["percent"]);
+    let window = [together, &report["exposure"]].map(|exposure| &exposure["percent"]);
     let window = window.into_iter().find(|percent| percent.is_object());
     let window = window.map(|window| Window {
         low: window["low"].as_f64(),
@@ -164,7 +164,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         &machine,
         &shown,
         &plan,
-        Beside {
+        Remarks {
             windows: windows(&report, gel_dose),
             is_in_time: in_time,
             reported_percent: reported_percent.filter(|_| !together.is_object()),
@@ -175,7 +175,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
 }
 
 /// What a plan says besides its numbers.
-struct Beside {
+struct Remarks {
     /// Process windows over the dose that gels, by the names of species.
     windows: Vec<(String, f64)>,
     /// Whether the job has a schedule or a material in time.
@@ -189,7 +189,7 @@ struct Beside {
 /// Process windows as shares of the dose that gels, of each species where there are several; none of a response that is no dose, whose window gives
 /// no time, and of a gray target, which has none.
 fn windows(report: &Value, gel_dose: f64) -> Vec<(String, f64)> {
-    let of = |name: &Value, one: &Value| {
+    let window_of = |name: &Value, one: &Value| {
         let exposure = &one["exposure"];
         let dose = &exposure["dose"]["best"];
         let is_dose = dose.is_number() && exposure["threshold"]["best"] == *dose;
@@ -199,9 +199,9 @@ fn windows(report: &Value, gel_dose: f64) -> Vec<(String, f64)> {
     match report["species"].as_array() {
         Some(species) if species.len() > 1 => species
             .iter()
-            .filter_map(|one| of(&one["name"], one))
+            .filter_map(|one| window_of(&one["name"], one))
             .collect(),
-        _ => of(&Value::Null, report).into_iter().collect(),
+        _ => window_of(&Value::Null, report).into_iter().collect(),
     }
 }
 
@@ -304,10 +304,10 @@ fn show(
     machine: &Machine,
     shown: &ShownFrames,
     plan: &ExposurePlan,
-    beside: Beside,
+    remarks: Remarks,
 ) {
     let mut answer = Answer::default();
-    if beside.is_in_time {
+    if remarks.is_in_time {
         answer.warn(
             "the job has a schedule and a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
              Take times and energies from the job's print in time (tomolith run or print)",
@@ -317,8 +317,9 @@ fn show(
     let unit = "mJ/mm² of a frame over the print";
     answer.number("white", plan.white_mj_per_mm2, 4, unit);
     answer.number("time to print", plan.time_s, 4, "s");
-    tell_turns(&mut answer, plan, beside.arc_deg);
-    if let Some(percent) = (beside.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
+    tell_turns(&mut answer, plan, remarks.arc_deg);
+    if let Some(percent) =
+        (remarks.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
     {
         let percent = significant(percent, 4);
         answer.line(
@@ -326,8 +327,8 @@ fn show(
             format!("its numbers are of {percent} % of this exposure, which is the best one"),
         );
     }
-    tell_frames(&mut answer, shown, plan, beside.arc_deg);
-    tell_windows(&mut answer, plan, &beside.windows);
+    tell_frames(&mut answer, shown, plan, remarks.arc_deg);
+    tell_windows(&mut answer, plan, &remarks.windows);
     if plan.rpm > 60.0 {
         answer.warn(format!(
             "{} turns a minute throw resin about: more turns take longer",
@@ -422,7 +423,7 @@ fn tell_windows(answer: &mut Answer, plan: &ExposurePlan, windows: &[(String, f6
         );
     }
     for (name, pw) in windows {
-        let of = if name.is_empty() { "" } else { ", " };
+        let comma = if name.is_empty() { "" } else { ", " };
         let long = match *pw >= 0.0 {
             true => format!("{} s", significant(pw * plan.time_s, 3)),
             false => "so no time prints all of the part and nothing else".to_owned(),
@@ -430,7 +431,7 @@ fn tell_windows(answer: &mut Answer, plan: &ExposurePlan, windows: &[(String, f6
         answer.line(
             "process window",
             format!(
-                "{} of the gel dose, {long} (min in − max out{of}{name})",
+                "{} of the gel dose, {long} (min in − max out{comma}{name})",
                 percent(*pw)
             ),
         );

@@ -119,8 +119,8 @@ pub(crate) fn profiles(name: Option<&str>) -> Result<()> {
         );
         return Ok(());
     };
-    let names: Vec<&str> = PROFILES.iter().map(|own| own.name).collect();
-    let profile = PROFILES.iter().find(|own| own.name == wanted);
+    let names: Vec<&str> = PROFILES.iter().map(|profile| profile.name).collect();
+    let profile = PROFILES.iter().find(|profile| profile.name == wanted);
     let profile = profile.ok_or_else(|| unknown("profiles", "profile", wanted, &names))?;
     say(profile.text.trim_end());
     Ok(())

@@ -97,8 +97,8 @@ fn command(arguments: &Arguments, itself: &[OsString]) -> u8 {
         Command::Sweep(given) => (given.manner, sweep(given, ranks.as_ref())),
         Command::Reproduce(given) => (given.manner, reproduce(given, itself)),
         Command::Kinds { family, name, json } => {
-            let told = help::kinds(family.as_deref(), name.as_deref(), *json);
-            (Manner::with_json(*json), told.map(|()| true))
+            let result = help::kinds(family.as_deref(), name.as_deref(), *json);
+            (Manner::with_json(*json), result.map(|()| true))
         }
         Command::Profiles { name } => (
             Manner::default(),
@@ -178,9 +178,9 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
     let is_json = words.iter().any(|word| word == "--json");
     let typed = command_line().try_get_matches_from(words);
     let typed = typed.and_then(|typed| Arguments::from_arg_matches(&typed));
-    typed.map_err(|said| match said.print() {
-        _ if said.use_stderr() && is_json => {
-            let text = said.to_string();
+    typed.map_err(|error| match error.print() {
+        _ if error.use_stderr() && is_json => {
+            let text = error.to_string();
             let text = text.strip_prefix("error: ").unwrap_or(&text);
             // Which arguments are meant may stand on lines of their own
             let lines = text.lines().take_while(|line| !line.is_empty());
@@ -189,7 +189,7 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
             screen::say(&line.to_string());
             REFUSED
         }
-        printed if !said.use_stderr() => {
+        printed if !error.use_stderr() => {
             screen::take(printed);
             DONE
         }

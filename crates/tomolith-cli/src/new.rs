@@ -104,7 +104,11 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
     let prints = given.file.as_os_str() == "-";
     if !prints {
         must_be_a_place("FILE", &given.file)?;
-        if given.file.extension().is_some_and(|own| own == "json") {
+        if given
+            .file
+            .extension()
+            .is_some_and(|extension| extension == "json")
+        {
             must_end_in("FILE", &given.file, &["toml"])?;
         }
     }

@@ -59,10 +59,10 @@ pub(crate) fn remark() -> Option<String> {
 pub(crate) use world::started;
 
 /// What this process came to, if no other one failed.
-pub(crate) fn agreed<T>(ranks: Option<&Ranks>, own: Result<T>) -> Result<T> {
+pub(crate) fn agreed<T>(ranks: Option<&Ranks>, result: Result<T>) -> Result<T> {
     match ranks {
-        Some(ranks) => together(ranks.as_ref(), own),
-        None => own,
+        Some(ranks) => together(ranks.as_ref(), result),
+        None => result,
     }
 }
 
@@ -94,7 +94,7 @@ mod world {
         rank: usize,
         size: usize,
         /// Ranks on this machine.
-        beside: usize,
+        on_this_machine: usize,
     }
 
     impl fmt::Debug for World {
@@ -119,12 +119,12 @@ mod world {
                 SimpleCommunicator::world().abort(i32::from(REFUSED));
             }));
         }
-        let beside = world.split_shared(0).size() as usize;
+        let on_this_machine = world.split_shared(0).size() as usize;
         Some(Arc::new(World {
             universe,
             rank,
             size,
-            beside,
+            on_this_machine,
         }))
     }
 
@@ -134,8 +134,8 @@ mod world {
             let first = world.process_at_rank(0);
             for message in values.chunks_mut(MESSAGE) {
                 if self.is_first() {
-                    let own = message.to_vec();
-                    first.reduce_into_root(&own[..], message, SystemOperation::sum());
+                    let copy = message.to_vec();
+                    first.reduce_into_root(&copy[..], message, SystemOperation::sum());
                 } else {
                     first.reduce_into(&message[..], SystemOperation::sum());
                 }
@@ -155,7 +155,7 @@ mod world {
         }
 
         fn beside(&self) -> usize {
-            self.beside
+            self.on_this_machine
         }
 
         fn all_reduce(&self, values: &mut [f64]) {
@@ -181,11 +181,11 @@ mod world {
             first.gather_into_root(&count, &mut counts[..]);
             let mut all = vec![values.to_vec()];
             for (rank, &count) in (0i32..).zip(&counts).skip(1) {
-                let mut own = vec![0.0f32; count as usize];
-                for message in own.chunks_mut(MESSAGE) {
+                let mut received = vec![0.0f32; count as usize];
+                for message in received.chunks_mut(MESSAGE) {
                     world.process_at_rank(rank).receive_into(message);
                 }
-                all.push(own);
+                all.push(received);
             }
             all
         }

@@ -46,8 +46,8 @@ pub(crate) struct ReproduceArguments {
 pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], work: &Work) -> Result<bool> {
     let study = Study::read(&given.study, given.quick)?;
     let output = given.output.clone().unwrap_or_else(|| study.output());
-    let own = || available_parallelism().map_or(1, usize::from);
-    let threads = given.manner.threads.map_or_else(own, usize::from);
+    let available = || available_parallelism().map_or(1, usize::from);
+    let threads = given.manner.threads.map_or_else(available, usize::from);
     let mut typed = Typed {
         manner: given.manner,
         itself: Itself {
@@ -77,8 +77,8 @@ const WRITES: &str =
 const HELP: &str = "what can be typed after `tomolith`: see `tomolith --help`";
 
 /// What is wrong with words, without how to use the command.
-fn first_words(said: &clap::Error) -> String {
-    let text = said.to_string();
+fn first_words(error: &clap::Error) -> String {
+    let text = error.to_string();
     let parts = text
         .split("\n\n")
         .take_while(|part| !part.contains("Usage:"));
@@ -168,7 +168,7 @@ impl Itself<'_> {
         let line = line.chain(words.iter().map(String::as_str)).chain(output);
         let line = line.map(str::to_owned).chain(self.manner_words());
         let typed = all.try_get_matches_from_mut(line);
-        let typed = typed.map_err(|said| Error::config("command", first_words(&said), HELP))?;
+        let typed = typed.map_err(|error| Error::config("command", first_words(&error), HELP))?;
         let (command, given) = innermost(&all, &typed);
         let refuse = |found: &str, accepted| {
             let found = format!("`tomolith {}` {found}", words.join(" "));
@@ -249,13 +249,13 @@ fn ended(mut child: Child, work: &Work) -> std::io::Result<Output> {
             }
             thread::sleep(PAUSE);
         };
-        let of = |said: thread::ScopedJoinHandle<'_, std::io::Result<Vec<u8>>>| {
-            said.join().unwrap_or_else(|_| Ok(Vec::new()))
+        let bytes_of = |reader: thread::ScopedJoinHandle<'_, std::io::Result<Vec<u8>>>| {
+            reader.join().unwrap_or_else(|_| Ok(Vec::new()))
         };
         Ok(Output {
             status,
-            stdout: of(out)?,
-            stderr: of(err)?,
+            stdout: bytes_of(out)?,
+            stderr: bytes_of(err)?,
         })
     })
 }

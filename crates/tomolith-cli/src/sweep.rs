@@ -62,9 +62,9 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, work: &Work) 
             run(&plan, given.shard, &mut board, work)?
         }
         (None, Some(ranks)) => {
-            let (number, of) = (ranks.rank() + 1, ranks.size());
-            let own = run(&plan, Some(Shard { number, of }), &mut board, work);
-            agreed(Some(ranks), own)?;
+            let (number, shares) = (ranks.rank() + 1, ranks.size());
+            let outcome = run(&plan, Some(Shard { number, shares }), &mut board, work);
+            agreed(Some(ranks), outcome)?;
             if !ranks.is_first() {
                 return Ok(true);
             }
@@ -94,13 +94,13 @@ fn tell_cost(plan: &SweepPlan, given: &SweepArguments, work: &Work) -> Result<()
 
 /// The cost of a long sweep or of a share of it, for people and as a line of JSON; none of a short one.
 fn cost(runs: usize, shard: Option<Shard>, seconds: f64) -> Option<(String, serde_json::Value)> {
-    let shares = shard.map_or(1.0, |shard| shard.of as f64);
+    let shares = shard.map_or(1.0, |shard| shard.shares as f64);
     let seconds = seconds / shares;
-    let of = shard.map_or_else(String::new, |shard| {
-        format!(", of which this is share {}/{}", shard.number, shard.of)
+    let share = shard.map_or_else(String::new, |shard| {
+        format!(", of which this is share {}/{}", shard.number, shard.shares)
     });
     let words = format!(
-        "{}{of}: about {} for those that are not finished, where each takes all its iterations on this machine as busy as it is",
+        "{}{share}: about {} for those that are not finished, where each takes all its iterations on this machine as busy as it is",
         counted(runs, "run"),
         duration(seconds)
     );
@@ -131,10 +131,10 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, work: &Work) -> Result
     if let Some(folder) = &given.output {
         sweep = sweep.with_folder(folder, "--output");
     }
-    let own = || available_parallelism().map_or(1, usize::from);
-    let threads = given.manner.threads.map_or_else(own, usize::from);
-    let beside = ranks.map_or(1, |ranks| ranks.beside());
-    sweep.beside(beside).plan(threads, work)
+    let available = || available_parallelism().map_or(1, usize::from);
+    let threads = given.manner.threads.map_or_else(available, usize::from);
+    let processes = ranks.map_or(1, |ranks| ranks.beside());
+    sweep.beside(processes).plan(threads, work)
 }
 
 fn finish(outcome: &SweepOutcome, manner: Manner) {
@@ -196,12 +196,12 @@ impl Watch for Board {
         }
         match event {
             SweepEvent::Sweep { runs, finished, .. } => {
-                let own = match *runs == self.all {
+                let of_process = match *runs == self.all {
                     true => String::new(),
                     false => format!(" of the {runs} of this process"),
                 };
                 mutter(&format!(
-                    "{:>12} {}; {finished}{own} finished before",
+                    "{:>12} {}; {finished}{of_process} finished before",
                     "", self.about
                 ));
                 if std::io::stderr().is_terminal() {
@@ -284,7 +284,10 @@ mod tests {
             (line["event"].as_str(), line["runs"].as_u64()),
             (Some("cost"), Some(325))
         );
-        let shard = Some(Shard { number: 3, of: 4 });
+        let shard = Some(Shard {
+            number: 3,
+            shares: 4,
+        });
         let (words, _) = cost(325, shard, 43_200.0).unwrap();
         assert!(
             words.starts_with("325 runs, of which this is share 3/4: about 3.0 h"),

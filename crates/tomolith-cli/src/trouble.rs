@@ -72,7 +72,10 @@ fn as_json(error: &Error) -> serde_json::Value {
 /// What is wrong, the line where it stands, and what helps.
 fn rendered(error: &Error, renderer: &Renderer) -> String {
     if let Error::Several(several) = error {
-        let each: Vec<String> = several.iter().map(|own| rendered(own, renderer)).collect();
+        let each: Vec<String> = several
+            .iter()
+            .map(|error| rendered(error, renderer))
+            .collect();
         return each.join("\n\n");
     }
     let Error::Config {

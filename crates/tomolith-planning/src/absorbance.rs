@@ -166,11 +166,11 @@ impl MediumFit {
 /// Readings over the path, and the lines through them.
 #[must_use]
 pub fn plot(liquids: &[(&str, &Attenuation)]) -> String {
-    let of = |axis: usize| {
+    let extent_of = |axis: usize| {
         let values = liquids.iter().flat_map(|(_, liquid)| &liquid.readings);
         1.1 * values.map(|r| r[axis]).fold(0.0, f64::max)
     };
-    let (longest, highest) = (of(0), of(1));
+    let (longest, highest) = (extent_of(0), extent_of(1));
     let mut plot = Plot::new(
         Axis::linear("path, mm", 0.0, longest),
         Axis::linear("absorbance", 0.0, highest),
@@ -212,11 +212,11 @@ mod tests {
             readings: Vec::new(),
         };
         let (clear, turbid) = (with_error(0.1, Some(0.003)), with_error(0.3, Some(0.004)));
-        let of = |albedo| MediumFit::new(&clear, Some(&turbid), albedo).unwrap();
-        let white = of(1.0);
+        let fit = |albedo| MediumFit::new(&clear, Some(&turbid), albedo).unwrap();
+        let white = fit(1.0);
         assert_eq!(white.absorption, clear.total); // particles that only scatter change nothing of it
         assert!((white.scattering.unwrap().error.unwrap() - 0.005).abs() < 1e-12);
-        let black = of(0.0);
+        let black = fit(0.0);
         assert!((black.absorption.per_mm - 0.3).abs() < 1e-12);
         assert!((black.absorption.error.unwrap() - 0.004).abs() < 1e-12);
         assert_eq!(black.scattering.unwrap().per_mm, 0.0);

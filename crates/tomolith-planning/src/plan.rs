@@ -316,10 +316,10 @@ mod tests {
         let message = |turns, within_s| plan(turns, within_s).unwrap_err().to_string();
         assert!(message(Some(4.0), None).contains("3, or a multiple of 3"));
         // No vial is fast enough where light that is always on takes longer
-        let said = message(None, Some(5.0));
+        let refusal = message(None, Some(5.0));
         assert!(
-            said.contains("0 whole turns") && said.contains("mW/cm² in a faster vial"),
-            "{said}"
+            refusal.contains("0 whole turns") && refusal.contains("mW/cm² in a faster vial"),
+            "{refusal}"
         );
         assert!(message(Some(3.0), Some(5.0)).ends_with("mW/cm²"));
     }

@@ -80,8 +80,11 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
     let Err(error) = GrayCurve::new(&table, 255.0, CurveForm::Quadratic) else {
         panic!("a curve that falls was taken")
     };
-    let said = error.to_string();
-    assert!(said.contains("usable from gray 86.15 to 239.06"), "{said}");
+    let message = error.to_string();
+    assert!(
+        message.contains("usable from gray 86.15 to 239.06"),
+        "{message}"
+    );
     assert!(GrayCurve::new(&measured("gray-uv.csv"), 255.0, CurveForm::Line).is_ok());
 }
 
@@ -116,8 +119,8 @@ fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
         else {
             panic!("{pairs:?} was taken")
         };
-        let said = error.to_string();
-        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        let message = error.to_string();
+        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
     }
 }
 

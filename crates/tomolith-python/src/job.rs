@@ -1,7 +1,7 @@
 //! `Job`: a job file, and the whole run of it.
 
 use crate::resolved::ResolvedJob;
-use crate::work::{TomolithError, beside, beside_telling, plain, raised};
+use crate::work::{TomolithError, interruptible, interruptible_observed, plain, raised};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde_json::Value;
@@ -64,7 +64,7 @@ impl Job {
 
     /// What the run would take, as `tomolith check --json`.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let plan = beside(py, |work| job::check(&self.0, &mut job::Silent, work))?;
+        let plan = interruptible(py, |work| job::check(&self.0, &mut job::Silent, work))?;
         plain(py, &plan)
     }
 
@@ -86,8 +86,8 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, progress, cancel, |told, work| {
-            job::run(&job, resume, told, work)
+        let summary = interruptible_observed(py, progress, cancel, |progress, work| {
+            job::run(&job, resume, progress, work)
         })?;
         done(py, &summary)
     }
@@ -104,8 +104,8 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, progress, cancel, |told, work| {
-            job::simulate(&job, Path::new(&patterns), told, work)
+        let summary = interruptible_observed(py, progress, cancel, |progress, work| {
+            job::simulate(&job, Path::new(&patterns), progress, work)
         })?;
         done(py, &summary)
     }
@@ -134,7 +134,7 @@ impl Job {
 
     /// The job as objects: model, objective, start, and what patterns print.
     fn resolve(&self, py: Python<'_>) -> PyResult<ResolvedJob> {
-        beside(py, |_| job::ResolvedJob::new(&self.0).map(ResolvedJob::new))
+        interruptible(py, |_| job::ResolvedJob::new(&self.0).map(ResolvedJob::new))
     }
 
     fn __repr__(&self) -> String {

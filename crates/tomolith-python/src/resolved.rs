@@ -2,7 +2,7 @@
 
 use crate::arrays::patterns;
 use crate::task::Task;
-use crate::work::{beside, plain};
+use crate::work::{interruptible, plain};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl ResolvedJob {
 
     /// What an optimizer needs, on the finest voxels of the optimization.
     fn task(&self, py: Python<'_>) -> PyResult<Task> {
-        let task = beside(py, |work| self.0.task(work))?;
+        let task = interruptible(py, |work| self.0.task(work))?;
         Ok(Task::new(task, Arc::clone(&self.0)))
     }
 
@@ -85,7 +85,7 @@ pub(crate) fn printed<'py>(
     job: &job::ResolvedJob,
     patterns: &[Patterns],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let print = beside(py, |work| job.evaluate(patterns, work))?;
+    let print = interruptible(py, |work| job.evaluate(patterns, work))?;
     let of_print = numbers(py, &print.evaluation)?;
     let species = PyDict::new(py);
     for (name, evaluation) in &print.species {

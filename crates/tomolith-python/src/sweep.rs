@@ -1,6 +1,6 @@
 //! `sweep`: a job with many values of its keys. `reproduce`: the numbers of a paper next to those of sweeps, jobs and commands.
 
-use crate::work::{Observer, TomolithError, beside_telling, plain};
+use crate::work::{Observer, TomolithError, interruptible_observed, plain};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::ffi::OsString;
@@ -22,12 +22,12 @@ pub(crate) fn sweep(
     cancel: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
     let threads = usable(threads)?;
-    let outcome = beside_telling(py, progress, cancel, |told, work| {
+    let outcome = interruptible_observed(py, progress, cancel, |progress, work| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {
             sweep = sweep.with_folder(folder, "folder");
         }
-        run(&sweep.plan(threads, work)?, None, told, work)
+        run(&sweep.plan(threads, work)?, None, progress, work)
     })?;
     Ok(plain(py, &outcome)?.unbind())
 }
@@ -49,7 +49,7 @@ pub(crate) fn reproduce(
     let count = usable(threads)?;
     let python: OsString = py.import("sys")?.getattr("executable")?.extract()?;
     let program = [python, "-m".into(), "tomolith".into()];
-    let found = beside_telling(py, progress, cancel, |observer, work| {
+    let found = interruptible_observed(py, progress, cancel, |observer, work| {
         let study = Study::read(&study, quick)?;
         let folder = folder.unwrap_or_else(|| study.output());
         let itself = Itself {

@@ -4,7 +4,7 @@ use crate::arrays::{
     IMAGES, VOXELS, arrays, must_be_finite, must_be_light, of_patterns, of_volume, one_or_list,
 };
 use crate::resolved::printed;
-use crate::work::{TomolithError, beside, must_have_threads, raised};
+use crate::work::{TomolithError, interruptible, must_have_threads, raised};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -182,7 +182,7 @@ impl Task {
     ) -> PyResult<Bound<'py, PyAny>> {
         let x = self.unknowns("patterns", patterns)?;
         let model = &self.task.model;
-        let dose = beside(py, |work| {
+        let dose = interruptible(py, |work| {
             let mut dose = model.new_dose()?;
             model.dose(&x, &mut dose, work)?;
             Ok(dose)
@@ -205,7 +205,7 @@ impl Task {
     ) -> PyResult<Bound<'py, PyAny>> {
         let x = self.unknowns("patterns", patterns)?;
         let cotangent = self.cotangent(cotangent)?;
-        let gradient = beside(py, |work| {
+        let gradient = interruptible(py, |work| {
             let mut gradient = x.zeros_like();
             self.task
                 .model
@@ -228,7 +228,7 @@ impl Task {
             penalties,
             ..
         } = &self.task;
-        let (value, gradient) = beside(py, |work| {
+        let (value, gradient) = interruptible(py, |work| {
             let mut dose = model.new_dose()?;
             let (mut cotangent, mut gradient) = (dose.zeros_like(), x.zeros_like());
             model.dose(&x, &mut dose, work)?;

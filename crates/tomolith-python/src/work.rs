@@ -55,7 +55,7 @@ pub(crate) fn must_have_threads() -> PyResult<()> {
 }
 
 /// Does work without Python's lock, in a separate thread, while this one listens to signals.
-pub(crate) fn beside<T: Send>(
+pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
     action: impl FnOnce(&Work) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
@@ -220,7 +220,11 @@ fn copies(py: Python<'_>, snapshot: Snapshot) -> PyResult<Bound<'_, PyDict>> {
         let images = snapshot.patterns.into_iter().map(|p| of_patterns(py, p));
         copies.set_item("patterns", one_or_list(py, images)?)?;
     }
-    let target = snapshot.target.into_iter().map(|own| own.inside).collect();
+    let target = snapshot
+        .target
+        .into_iter()
+        .map(|target| target.inside)
+        .collect();
     let all = [
         ("dose", snapshot.dose),
         ("print", snapshot.print),
@@ -241,8 +245,8 @@ impl Watch for Observer<'_> {
     }
 }
 
-/// As [`beside`], for work that sends events to an observer and may be canceled.
-pub(crate) fn beside_telling<T: Send>(
+/// As [`interruptible`], for work that sends events to an observer and may be canceled.
+pub(crate) fn interruptible_observed<T: Send>(
     py: Python<'_>,
     object: Option<Py<PyAny>>,
     cancel: Option<Py<PyAny>>,

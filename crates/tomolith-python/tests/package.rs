@@ -13,11 +13,11 @@ fn python() -> Option<PathBuf> {
     if let Some(named) = env::var_os("TOMOLITH_PYTHON") {
         return Some(named.into());
     }
-    let own = PathBuf::from("python3");
-    let found = Command::new(&own).args(["-c", "import numpy"]).output();
+    let python = PathBuf::from("python3");
+    let found = Command::new(&python).args(["-c", "import numpy"]).output();
     found
         .is_ok_and(|found| found.status.success())
-        .then_some(own)
+        .then_some(python)
 }
 
 #[test]
@@ -27,13 +27,13 @@ fn python_gets_what_the_library_gives() {
             "skipped: python3 has no numpy (name one that has it in TOMOLITH_PYTHON)"
         );
     };
-    let (own, folder) = (
+    let (crate_folder, folder) = (
         Path::new(env!("CARGO_MANIFEST_DIR")),
         tempfile::tempdir().unwrap(),
     );
     let package = folder.path().join("tomolith");
     fs::create_dir(&package).unwrap();
-    for file in files(&own.join("python/tomolith")) {
+    for file in files(&crate_folder.join("python/tomolith")) {
         fs::copy(&file, package.join(file.file_name().unwrap())).unwrap();
     }
     let library = format!("{DLL_PREFIX}tomolith_native{DLL_SUFFIX}");
@@ -41,20 +41,20 @@ fn python_gets_what_the_library_gives() {
     fs::copy(library, package.join("_native.abi3.so")).unwrap();
     // The job of the tests, run by the library, for Python to compare its own run with
     let run = folder.path().join("library");
-    let job = Job::read(&own.join("tests/gear.json"), &[]).unwrap();
+    let job = Job::read(&crate_folder.join("tests/gear.json"), &[]).unwrap();
     let job = job.with_folder(&run, "folder");
     tomolith::job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let tests = Command::new(python)
         .args(["-m", "unittest", "discover", "--verbose"])
-        .arg(own.join("tests"))
+        .arg(crate_folder.join("tests"))
         .env("PYTHONPATH", folder.path())
         .env("TOMOLITH_LIBRARY_RUN", &run)
         .env("PYTHONDONTWRITEBYTECODE", "1")
         .output()
         .unwrap();
-    let said = String::from_utf8_lossy(&tests.stderr);
-    assert!(tests.status.success(), "{said}");
-    let tests = files(&own.join("tests")).into_iter();
+    let message = String::from_utf8_lossy(&tests.stderr);
+    assert!(tests.status.success(), "{message}");
+    let tests = files(&crate_folder.join("tests")).into_iter();
     let tests = tests.filter(|file| file.extension().is_some_and(|ending| ending == "py"));
     let count = |file: PathBuf| {
         fs::read_to_string(file)
@@ -63,7 +63,7 @@ fn python_gets_what_the_library_gives() {
             .count()
     };
     let ran = format!("Ran {} tests", tests.map(count).sum::<usize>());
-    assert!(said.contains(&ran), "{ran}: {said}");
+    assert!(message.contains(&ran), "{ran}: {message}");
 }
 
 fn files(folder: &Path) -> Vec<PathBuf> {

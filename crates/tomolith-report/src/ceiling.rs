@@ -126,11 +126,11 @@ impl CeilingReport {
                 ..at(self.brightest * point.factor)
             }
         };
-        let own = match self.chosen {
+        let brightest = match self.chosen {
             Some(i) => is_changed.then(|| self.brightest * self.points[i].factor * changed_by),
             None => of_run("time_mm").zip(dose).map(|(mm, dose)| mm * dose),
         };
-        let own = own.map(|brightest| TradeOff {
+        let run_row = brightest.map(|brightest| TradeOff {
             iou: of_run("iou"),
             ver: of_run("ver"),
             surface_mean_mm: of_run("surface_mean_mm"),
@@ -139,7 +139,7 @@ impl CeilingReport {
             ..at(brightest)
         });
         let tried = self.points.iter().enumerate().map(tried);
-        let mut rows: Vec<TradeOff> = tried.chain(own).collect();
+        let mut rows: Vec<TradeOff> = tried.chain(run_row).collect();
         rows.sort_by(|a, b| b.brightest.total_cmp(&a.brightest));
         rows
     }
@@ -171,7 +171,10 @@ impl CeilingReport {
     /// Warns of a ceiling that had to rise.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
-        let trial = self.finest.as_ref().filter(|own| own.changed_by > 1.0)?;
+        let trial = self
+            .finest
+            .as_ref()
+            .filter(|trial| trial.changed_by > 1.0)?;
         Some(format!(
             "the ceiling of the pixels that was found on a coarser level makes the print worse than bounds.tolerance allows: {0}. It was raised to {1} times, and the print takes {1} times as \
              long; for the faster print raise bounds.tolerance, for the brightest pixels set bounds.ceiling = \"start\"",
@@ -204,9 +207,9 @@ impl FinestTrial {
 
 /// By how much a number of the first print differs.
 fn change(i: usize, [from, to]: [&[CeilingQuality]; 2]) -> f64 {
-    let of =
+    let number_of =
         |prints: &[CeilingQuality]| prints.first().map_or(f64::NAN, |print| print.numbers()[i]);
-    of(to) - of(from)
+    number_of(to) - number_of(from)
 }
 
 /// How far a loss is from the lowest one; None where the bound says nothing that a loss above 0 does not.
@@ -227,7 +230,7 @@ pub fn gap_sentence(gap: Gap) -> Option<String> {
 pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> Option<String> {
     let time = time_mm?;
     let even = ceiling
-        .map(|own| time * own.even_dose)
+        .map(|ceiling| time * ceiling.even_dose)
         .filter(|times| times.is_finite() && *times > 0.0);
     let even = even.map_or_else(String::new, |times| {
         format!(
@@ -309,8 +312,8 @@ mod tests {
             ..ceiling(1.0)
         };
         let rows = without.trade_off(&evaluation, Some(&window));
-        let own = rows.iter().find(|row| row.is_chosen).unwrap();
-        assert!(own.is_evaluated && rows.len() == 4);
-        assert!((own.time_mm.unwrap() - 4.0).abs() < 1e-9);
+        let chosen = rows.iter().find(|row| row.is_chosen).unwrap();
+        assert!(chosen.is_evaluated && rows.len() == 4);
+        assert!((chosen.time_mm.unwrap() - 4.0).abs() < 1e-9);
     }
 }

@@ -44,7 +44,7 @@ fn time_to_print_s(data: &ReportData<'_>) -> Option<f64> {
     let time_s = |light: &LightReport<'_>| light.budget.time_s;
     let mut times = data.lights.iter().map(time_s);
     if data.lights.iter().any(|light| light.irradiance.is_some()) {
-        return times.try_fold(0.0f64, |longest, own| Some(longest.max(own?)));
+        return times.try_fold(0.0f64, |longest, seconds| Some(longest.max(seconds?)));
     }
     times.sum()
 }
@@ -112,7 +112,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "schema": super::SCHEMA,
         "part": data.part,
         "evaluation": evaluation_json(data.evaluation),
-        "optimization": data.optimization.map(|own| optimization_json(own, data.objectives)),
+        "optimization": data.optimization.map(|evaluation| optimization_json(evaluation, data.objectives)),
         "exposure": data.exposure,
         "limits": data.limits.causes,
         "published": data.published,

@@ -177,10 +177,10 @@ impl ExposureWindow {
 /// A range in words: digits enough to tell its ends and its best value apart.
 pub(super) fn from_to(bracket: &Bracket, unit: &str) -> String {
     let known: Vec<f64> = bracket.ascending().into_iter().flatten().collect();
-    let mut said = told_apart(&known, 3).into_iter();
+    let mut texts = told_apart(&known, 3).into_iter();
     let [low, _, high] = bracket
         .ascending()
-        .map(|value| value.and_then(|_| said.next()));
+        .map(|value| value.and_then(|_| texts.next()));
     match (low, high) {
         (Some(a), Some(b)) => format!("from {a} {unit} to {b} {unit}"),
         (Some(a), None) => format!("from {a} {unit} on"),
@@ -264,8 +264,8 @@ mod tests {
     fn a_narrow_window_has_digits_enough() {
         let narrow = thresholds([0.4999, 0.5, 0.5002]);
         let text = window(&narrow, Some(50.0)).unwrap().sentence();
-        let said = "from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s";
-        tomolith_core::contains!(text, said);
+        let expected = "from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s";
+        tomolith_core::contains!(text, expected);
     }
 
     #[test]

@@ -238,8 +238,8 @@ pub const OBSTACLE: u8 = 3;
 impl ReportData<'_> {
     /// Quality against time, where the run looked for a ceiling of its pixels.
     fn trade_off(&self) -> Vec<TradeOff> {
-        let of = |own: &CeilingReport| own.trade_off(self.evaluation, self.exposure);
-        self.ceiling.map_or_else(Vec::new, of)
+        let rows_of = |ceiling: &CeilingReport| ceiling.trade_off(self.evaluation, self.exposure);
+        self.ceiling.map_or_else(Vec::new, rows_of)
     }
 
     /// Whether volumes belong together.
@@ -592,11 +592,11 @@ mod tests {
         let sample = Sample::new();
         let evaluation = sample.evaluation();
         let mut data = sample.data(&evaluation);
-        let of = |data: &ReportData<'_>| json::report_json(data)["time_to_print_s"].clone();
+        let time_of = |data: &ReportData<'_>| json::report_json(data)["time_to_print_s"].clone();
         let mut second = data.lights[0];
         second.budget.time_s = Some(25.0);
         data.lights.push(second);
-        assert_eq!(of(&data), 100.0);
+        assert_eq!(time_of(&data), 100.0);
         let irradiance = Irradiance {
             white_mw_per_cm2: 4.0,
             peak_mw_per_cm2: None,
@@ -604,9 +604,9 @@ mod tests {
         for light in &mut data.lights {
             light.irradiance = Some(irradiance);
         }
-        assert_eq!(of(&data), 75.0);
+        assert_eq!(time_of(&data), 75.0);
         data.lights[1].budget.time_s = None;
-        assert!(of(&data).is_null());
+        assert!(time_of(&data).is_null());
     }
 
     #[test]

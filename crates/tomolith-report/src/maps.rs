@@ -364,8 +364,8 @@ fn map(
         true => name_ticks(&x.labels, frame.width, most),
         false => Ticks::level(middles(&x.labels, fitting(&x.labels, frame.width))),
     };
-    let beside = middles(&all_shortened(&y.labels, most), up);
-    frame.axes(body, [&x.name, &y.name], &across, &beside);
+    let left = middles(&all_shortened(&y.labels, most), up);
+    frame.axes(body, [&x.name, &y.name], &across, &left);
 }
 
 /// Whether labels are names, of which none may be left out, and not numbers along a scale.

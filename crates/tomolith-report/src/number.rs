@@ -57,18 +57,18 @@ pub fn change(value: f64, decimals: usize) -> String {
 /// Numbers of one row, with `digits` significant digits, or as many more, up to 7, as it takes to print different numbers differently.
 #[must_use]
 pub fn told_apart(values: &[f64], digits: usize) -> Vec<String> {
-    let said =
+    let texts_at =
         |digits: usize| -> Vec<String> { values.iter().map(|v| significant(*v, digits)).collect() };
-    let is_clear = |said: &[String]| {
+    let is_clear = |texts: &[String]| {
         let pairs = (0..values.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
         pairs
             .into_iter()
-            .all(|(a, b)| values[a] == values[b] || said[a] != said[b])
+            .all(|(a, b)| values[a] == values[b] || texts[a] != texts[b])
     };
     (digits..7)
-        .map(said)
-        .find(|said| is_clear(said))
-        .unwrap_or_else(|| said(digits.max(7)))
+        .map(texts_at)
+        .find(|texts| is_clear(texts))
+        .unwrap_or_else(|| texts_at(digits.max(7)))
 }
 
 /// Without zeros at the end, and with commas between thousands.

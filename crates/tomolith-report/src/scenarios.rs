@@ -42,15 +42,15 @@ pub struct ScenarioTable {
 impl ScenarioTable {
     /// The table of these rows.
     #[must_use]
-    pub fn new(of: &'static str, threshold: Measure, rows: Vec<ScenarioRow>) -> Self {
-        let least = |of: fn(&ScenarioRow) -> Measure| -> Measure {
-            let all: Option<Vec<f64>> = rows.iter().map(of).collect();
+    pub fn new(join: &'static str, threshold: Measure, rows: Vec<ScenarioRow>) -> Self {
+        let least = |measure_of: fn(&ScenarioRow) -> Measure| -> Measure {
+            let all: Option<Vec<f64>> = rows.iter().map(measure_of).collect();
             all?.into_iter().reduce(f64::min)
         };
         let low = least(|row| row.part_low);
         let high = least(|row| row.void_high.map(|high| -high));
         ScenarioTable {
-            of,
+            of: join,
             threshold,
             window: low.zip(high).map(|(low, high)| low + high),
             worst_iou: least(|row| row.iou_at_threshold),

@@ -126,25 +126,25 @@ impl OneMoment {
     #[must_use]
     pub fn sentence(&self) -> String {
         let [from, to] = self.window_s;
-        let said = told_apart(&[from, self.seconds, to], 3);
+        let texts = told_apart(&[from, self.seconds, to], 3);
         format!(
             "All networks together are best after {} s{}, when {} mJ have been sent to the vial: IoU {}; {} limits it. The lowest is at most \
              {TOLERANCE} worse from {} s to {} s.",
-            said[1],
+            texts[1],
             in_minutes(self.seconds),
             significant(self.sent_mj, 3),
             listed(&self.networks, &self.jaccard),
             self.limited_by,
-            said[0],
-            said[2],
+            texts[0],
+            texts[2],
         )
     }
 }
 
 /// Names, each with its number.
 fn listed(names: &[String], values: &[f64]) -> String {
-    let of = |(name, value): (&String, &f64)| format!("{name} {}", significant(*value, 4));
-    let all: Vec<String> = names.iter().zip(values).map(of).collect();
+    let text_of = |(name, value): (&String, &f64)| format!("{name} {}", significant(*value, 4));
+    let all: Vec<String> = names.iter().zip(values).map(text_of).collect();
     all.join(", ")
 }
 

@@ -92,7 +92,8 @@ impl TimeReport {
 
 pub(super) fn time_json(time: &TimeReport) -> Value {
     // What is not finite is null
-    let column = |of: fn(&CurvePoint) -> f64| time.points.iter().map(of).collect::<Vec<_>>();
+    let column =
+        |number_of: fn(&CurvePoint) -> f64| time.points.iter().map(number_of).collect::<Vec<_>>();
     let evaluation = time.evaluation.as_ref().map(super::json::evaluation_json);
     json!({
         "name": time.name,
@@ -166,16 +167,16 @@ impl TimeReport {
         if window.is_some_and(|[low, high]| low == high) {
             text.push_str(" At the moments before and after it is more than 0.01 worse.");
         } else if let Some([low, high]) = window {
-            let said = told_apart(&[low, best.seconds, high], 3);
+            let texts = told_apart(&[low, best.seconds, high], 3);
             let until = if high >= end {
                 "the end".to_owned()
             } else {
-                format!("{} s", said[2])
+                format!("{} s", texts[2])
             };
             let _ = write!(
                 text,
                 " It stays within 0.01 of that from {} s to {until}.",
-                said[0]
+                texts[0]
             );
         }
         if best.seconds >= end {

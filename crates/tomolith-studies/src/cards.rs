@@ -189,18 +189,18 @@ fn of_paths(gpu: &Gpu, paths_per_pixel: usize, divisor: usize) -> Result<String,
         let pixels = input.scene.lights[0].layout(0).len();
         let paths = (pixels * paths_per_pixel) as f64;
         let work = Work::new();
-        let of = |dose: &dyn Fn(u64) -> Result<(f64, Vec<f32>), Failure>| {
+        let measured = |dose: &dyn Fn(u64) -> Result<(f64, Vec<f32>), Failure>| {
             let all: Result<Vec<_>, _> = (0..scatter_noise::SEEDS).map(dose).collect();
             let (seconds, doses): (Vec<f64>, Vec<Vec<f32>>) = all?.into_iter().unzip();
             let least = seconds.into_iter().fold(f64::INFINITY, f64::min);
             let [noise, _] = scatter_noise::noise(&doses);
             Ok::<_, Failure>([1e-6 * paths / least, 100.0 * noise])
         };
-        let card = of(&|seed| {
+        let card = measured(&|seed| {
             let form = params(seed).form(input)?.ok_or("the model has no form")?;
             timed(&*model_on(gpu, &form, &work)?)
         })?;
-        let processor = of(&|seed| timed(&*params(seed).build(input)?))?;
+        let processor = measured(&|seed| timed(&*params(seed).build(input)?))?;
         let both = |i: usize| format!("{:.2}, {:.2}", card[i], processor[i]);
         Ok(format!("{paths:.1e} | {} | {} |", both(0), both(1)))
     })
@@ -265,10 +265,12 @@ fn line(card: &Value, processor: &Value) -> String {
         seconds.unwrap_or_default()
     };
     let parts = |report: &Value, parts: &[&str]| -> f64 {
-        let of = |part: &&str| seconds(report, &format!("optimizing: {part}"));
-        parts.iter().map(of).sum()
+        let seconds_of = |part: &&str| seconds(report, &format!("optimizing: {part}"));
+        parts.iter().map(seconds_of).sum()
     };
-    let both = |of: &dyn Fn(&Value) -> f64| format!("{:.1}, {:.1}", of(card), of(processor));
+    let both = |number_of: &dyn Fn(&Value) -> f64| {
+        format!("{:.1}, {:.1}", number_of(card), number_of(processor))
+    };
     let around = ["dose and adjoint", "objective", "steps, checkpoints"];
     format!(
         "{} | {} | {} | {:.5}, {:.5} |",

@@ -185,13 +185,13 @@ fn judged(
     let vial = if matched { "matched" } else { "glass" };
     let folder =
         PathBuf::from("out/fidelity").join(format!("{}-{vial}", case.name.replace(' ', "-")));
-    let mut own = vec![
+    let mut changes = vec![
         format!("grid.pitch_mm={pitch}"),
         "evaluate.refine=1".to_owned(),
         "evaluate.sub_angles=1".to_owned(),
     ];
-    own.extend(keys.iter().map(|&key| key.to_owned()));
-    let job = job(case, matched, boat, &own)?.with_folder(&folder.join(row), "");
+    changes.extend(keys.iter().map(|&key| key.to_owned()));
+    let job = job(case, matched, boat, &changes)?.with_folder(&folder.join(row), "");
     let run = job::run(&job, false, &mut Silent, &Work::new())?;
     let judge = [
         format!("grid.pitch_mm={}", pitch / 2.0),
@@ -237,14 +237,14 @@ fn job(case: &Case, matched: bool, boat: &str, keys: &[String]) -> Result<Job, E
 
 /// A row of the table.
 fn line(title: &str, report: &Value, pitch: f64, seconds: f64) -> String {
-    let of = |pointer: &str| {
+    let number_of = |pointer: &str| {
         report
             .pointer(pointer)
             .and_then(Value::as_f64)
             .unwrap_or(f64::NAN)
     };
-    let evaluation = |key: &str| of(&format!("/evaluation/{key}"));
-    let published = |key: &str| of(&format!("/published/{key}/value"));
+    let evaluation = |key: &str| number_of(&format!("/evaluation/{key}"));
+    let published = |key: &str| number_of(&format!("/published/{key}/value"));
     let (mean, high) = (evaluation("surface_mean_mm"), evaluation("surface_p95_mm"));
     format!(
         "| {title} | {:.4} | {:.4} | {:.3} | {:.3}, {:.3} | {:.2}, {:.1} | {:.3}, {:.2} | {seconds:.1} |",

@@ -197,10 +197,10 @@ fn traced(n: usize, pixels: &PatternGrid) -> Csr {
 
 /// Adds `detail` times what the mean over 3 × 3 pixels, weighted 1, 2, 1, takes away; grays stay between 0 and 1.
 fn sharpen(values: &mut [f32], n: usize, detail: f32) {
-    let mean = |of: &[f32], i: usize, stride: usize, at: usize| {
+    let mean = |pixels: &[f32], i: usize, stride: usize, at: usize| {
         let before = if at == 0 { i } else { i - stride };
         let after = if at + 1 == n { i } else { i + stride };
-        0.25 * (of[before] + 2.0 * of[i] + of[after])
+        0.25 * (pixels[before] + 2.0 * pixels[i] + pixels[after])
     };
     let rows: Vec<f32> = (0..n * n).map(|i| mean(values, i, 1, i % n)).collect();
     let means: Vec<f32> = (0..n * n).map(|i| mean(&rows, i, n, i / n)).collect();

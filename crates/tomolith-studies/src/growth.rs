@@ -175,8 +175,8 @@ fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
     let output = Command::new(env::current_exe()?)
         .args(["growth", "one", case.name, &n.to_string()])
         .output()?;
-    let said = String::from_utf8(output.stdout)?;
-    let numbers: Result<Vec<f64>, _> = said.split_whitespace().map(str::parse).collect();
+    let text = String::from_utf8(output.stdout)?;
+    let numbers: Result<Vec<f64>, _> = text.split_whitespace().map(str::parse).collect();
     let [dose_s, adjoint_s, peak_mb] = numbers?[..] else {
         let why = String::from_utf8_lossy(&output.stderr).into_owned();
         return Err(format!("{} at {n}: {why}", case.name).into());
@@ -190,23 +190,23 @@ fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
 }
 
 /// Exponent of a power law through the last four points, from which larger sizes are reckoned.
-fn exponent(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
-    fitted(&sizes[sizes.len().saturating_sub(4)..], of)
+fn exponent(sizes: &[Size], number_of: impl Fn(&Size) -> f64) -> f64 {
+    fitted(&sizes[sizes.len().saturating_sub(4)..], number_of)
 }
 
 /// The exponents through all points from N = 64 on, and through the last four.
-fn exponents(sizes: &[Size], of: impl Fn(&Size) -> f64) -> String {
+fn exponents(sizes: &[Size], number_of: impl Fn(&Size) -> f64) -> String {
     let from = sizes.iter().position(|s| s.n >= 64).unwrap_or(0);
     format!(
         "{:.2}, {:.2}",
-        fitted(&sizes[from..], &of),
-        exponent(sizes, &of)
+        fitted(&sizes[from..], &number_of),
+        exponent(sizes, &number_of)
     )
 }
 
 /// Exponent of a power law through points: least squares of the logarithms.
-fn fitted(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
-    let points = || sizes.iter().map(|s| ((s.n as f64).ln(), of(s).ln()));
+fn fitted(sizes: &[Size], number_of: impl Fn(&Size) -> f64) -> f64 {
+    let points = || sizes.iter().map(|s| ((s.n as f64).ln(), number_of(s).ln()));
     let count = sizes.len() as f64;
     let x = points().map(|p| p.0).sum::<f64>() / count;
     let y = points().map(|p| p.1).sum::<f64>() / count;
@@ -215,8 +215,10 @@ fn fitted(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
 }
 
 /// A number at N = 1024 if it grows so from the largest size on.
-fn at_1024(sizes: &[Size], exponent: f64, of: impl Fn(&Size) -> f64) -> f64 {
-    let last = sizes.last().map_or([f64::NAN; 2], |s| [s.n as f64, of(s)]);
+fn at_1024(sizes: &[Size], exponent: f64, number_of: impl Fn(&Size) -> f64) -> f64 {
+    let last = sizes
+        .last()
+        .map_or([f64::NAN; 2], |s| [s.n as f64, number_of(s)]);
     last[1] * (1024.0 / last[0]).powf(exponent)
 }
 
@@ -250,7 +252,7 @@ fn grown(case: &Case, largest: usize) -> Fallible<Vec<Size>> {
 struct Shown {
     label: &'static str,
     title: &'static str,
-    of: fn(&Size) -> f64,
+    number_of: fn(&Size) -> f64,
     /// The theory's exponent.
     exponent: fn(&Case) -> f64,
 }
@@ -258,19 +260,22 @@ struct Shown {
 const TIME: Shown = Shown {
     label: "processor seconds a dose",
     title: "Time of a dose: measured (dots) and theory (lines)",
-    of: |size| size.dose_s,
+    number_of: |size| size.dose_s,
     exponent: |case| case.theory,
 };
 const MEMORY: Shown = Shown {
     label: "peak of the process, MB",
     title: "Memory: measured (dots) and N³ (lines)",
-    of: |size| size.peak_mb,
+    number_of: |size| size.peak_mb,
     exponent: |_| 3.0,
 };
 
 /// A number of three models over N, and the theory's slope through the largest size of each.
 fn picture(all: &[(&Case, Vec<Size>)], shown: Shown) -> String {
-    let numbers = || all.iter().flat_map(|(_, sizes)| sizes.iter().map(shown.of));
+    let numbers = || {
+        all.iter()
+            .flat_map(|(_, sizes)| sizes.iter().map(shown.number_of))
+    };
     let (low, high) = numbers().fold((f64::MAX, 0.0f64), |(a, b), t| (a.min(t), b.max(t)));
     let largest = all
         .iter()
@@ -282,13 +287,21 @@ fn picture(all: &[(&Case, Vec<Size>)], shown: Shown) -> String {
     );
     let classes = ["accent", "gel", "void"];
     for ((case, sizes), class) in all.iter().zip(classes) {
-        let points: Vec<[f64; 2]> = sizes.iter().map(|s| [s.n as f64, (shown.of)(s)]).collect();
+        let points: Vec<[f64; 2]> = sizes
+            .iter()
+            .map(|s| [s.n as f64, (shown.number_of)(s)])
+            .collect();
         plot.dots(&points, class, case.name);
         let Some(last) = sizes.last() else {
             continue;
         };
         let exponent = (shown.exponent)(case);
-        let theory = |n: f64| [n, (shown.of)(last) * (n / last.n as f64).powf(exponent)];
+        let theory = |n: f64| {
+            [
+                n,
+                (shown.number_of)(last) * (n / last.n as f64).powf(exponent),
+            ]
+        };
         // No lower than the plot
         let first = sizes.iter().map(|s| s.n as f64);
         let first = first
@@ -326,7 +339,7 @@ fn print_fits(all: &[(&Case, Vec<Size>)]) {
 /// The sizes in a table, as this program prints it.
 fn read(file: &Path) -> Fallible<Vec<(&'static Case, Vec<Size>)>> {
     let text = std::fs::read_to_string(file)?;
-    let of = |case: &'static Case| {
+    let sizes_of = |case: &'static Case| {
         let start = format!("| {} | ", case.name);
         let rows = text.lines().filter_map(|line| line.strip_prefix(&start));
         let sizes: Vec<Size> = rows.filter_map(row).collect();
@@ -335,7 +348,7 @@ fn read(file: &Path) -> Fallible<Vec<(&'static Case, Vec<Size>)>> {
             false => Ok((case, sizes)),
         }
     };
-    CASES.iter().map(of).collect()
+    CASES.iter().map(sizes_of).collect()
 }
 
 /// A row without the name of its model; none where it is one of another table.

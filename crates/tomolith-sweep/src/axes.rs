@@ -411,15 +411,15 @@ impl<'a> Sieve<'a> {
     /// [`Error::Config`] for a condition that divides by 0 at this point: it would leave the point out without a word.
     fn passes(&mut self, point: &SweepPoint) -> Result<bool> {
         self.seen += 1;
-        let of = |name: &str| named(self.axes, point, name);
+        let value_of = |name: &str| named(self.axes, point, name);
         for (i, condition) in self.when.iter().enumerate() {
-            if let Some(value) = condition.undefined(&of) {
+            if let Some(value) = condition.undefined(&value_of) {
                 let (text, at) = (&condition.text, words(self.axes, point));
                 let found = format!("a side of {text:?} is {value} at {at}: it divides by 0");
                 let accepted = "a comparison of finite numbers at every point; or a condition before it that leaves such points out";
                 return Err(Error::config(format!("when[{i}]"), found, accepted));
             }
-            if !condition.is_met(&of) {
+            if !condition.is_met(&value_of) {
                 self.left_out[i] += 1;
                 return Ok(false);
             }

@@ -65,21 +65,21 @@ impl RunSpec {
     /// The names of the runs whose folders its command reads.
     pub(crate) fn reads(&self) -> impl Iterator<Item = &str> {
         let words = self.command.iter().flatten();
-        words.flat_map(|word| references(word).map(|of| of.name))
+        words.flat_map(|word| references(word).map(|reference| reference.name))
     }
 }
 
 /// Refuses words that name the folder of no job and no sweep. Commands work last, side by side with none, so that none reads another's folder.
 pub(crate) fn check(spec: &StudySpec) -> Result<()> {
-    each(spec, |of| match spec.runs.get(of.name) {
+    each(spec, |reference| match spec.runs.get(reference.name) {
         None => Err("no run has this name".to_owned()),
         Some(run) if run.command.is_some() => {
-            let name = of.name;
+            let name = reference.name;
             Err(format!(
                 "`{name}` is a command, and a command reads no other one's folder"
             ))
         }
-        Some(_) if of.run().is_none() => Err("the index is no whole number".to_owned()),
+        Some(_) if reference.run().is_none() => Err("the index is no whole number".to_owned()),
         Some(_) => Ok(()),
     })
     .map_err(|(at, found)| {
@@ -96,20 +96,20 @@ impl Study {
     /// # Errors
     /// [`Error::Config`] with file and line.
     pub(crate) fn must_have_runs(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
-        each(&self.spec, |of| {
-            let Some(plan) = plans.get(of.name) else {
+        each(&self.spec, |reference| {
+            let Some(plan) = plans.get(reference.name) else {
                 return Ok(());
             };
             let count = plan.runs.len();
-            if let Some((file, left)) = of.missing(plan.sweep.spec.keep) {
+            if let Some((file, left)) = reference.missing(plan.sweep.spec.keep) {
                 return Err(format!(
                     "its folder has no `{file}`, only {left} (keep = \"all\" in the sweep leaves more)"
                 ));
             }
-            match of.index {
+            match reference.index {
                 None if count > 1 => Err(format!("a sweep of {count} runs, and not which of them")),
-                _ if of.run().is_some_and(|run| run < count) => Ok(()),
-                _ => Err(format!("the last run is {{{}[{}]}}", of.name, count - 1)),
+                _ if reference.run().is_some_and(|run| run < count) => Ok(()),
+                _ => Err(format!("the last run is {{{}[{}]}}", reference.name, count - 1)),
             }
         })
         .map_err(|(at, found)| {
@@ -134,10 +134,10 @@ fn each(
 ) -> Result<(), (String, String)> {
     for (name, run) in &spec.runs {
         for (k, word) in run.command.iter().flatten().enumerate() {
-            for of in references(word) {
-                look(&of).map_err(|found| {
+            for reference in references(word) {
+                look(&reference).map_err(|found| {
                     let at = format!("runs.{name}.command[{k}]");
-                    (at, format!("`{{{}}}`: {found}", of.text))
+                    (at, format!("`{{{}}}`: {found}", reference.text))
                 })?;
             }
         }
@@ -149,12 +149,12 @@ fn each(
 pub(crate) fn filled_in(words: &[String], plans: &BTreeMap<&str, &SweepPlan>) -> Vec<String> {
     let fill = |word: &String| {
         let mut filled = word.clone();
-        for of in references(word) {
-            if let (Some(plan), Some(run)) = (plans.get(of.name), of.run()) {
+        for reference in references(word) {
+            if let (Some(plan), Some(run)) = (plans.get(reference.name), reference.run()) {
                 let folder = plan.run_folder(run);
                 let folder = std::path::absolute(&folder).unwrap_or(folder);
-                let reference = format!("{{{}}}", of.text);
-                filled = filled.replace(&reference, &folder.to_string_lossy());
+                let braces = format!("{{{}}}", reference.text);
+                filled = filled.replace(&braces, &folder.to_string_lossy());
             }
         }
         filled
@@ -169,14 +169,14 @@ mod tests {
     #[test]
     fn braces_of_inline_tables_name_no_run() {
         let names = |word: &'static str| {
-            let found = references(word).map(|of| (of.name, of.run()));
+            let found = references(word).map(|reference| (reference.name, reference.run()));
             found.collect::<Vec<_>>()
         };
         assert_eq!(names("model={wave={error=1e-3,other=0.03}}"), []);
         assert_eq!(names("objective={l2={}}"), []);
         assert_eq!(names("{rays[2]}/job.toml"), [("rays", Some(2))]);
         let files = |word: &'static str| {
-            let found = references(word).map(|of| of.missing(Leaves::Patterns));
+            let found = references(word).map(|reference| reference.missing(Leaves::Patterns));
             found
                 .map(|missing| missing.map(|(file, _)| file))
                 .collect::<Vec<_>>()

@@ -79,7 +79,7 @@ pub struct Shard {
     /// Which, from 1.
     pub number: usize,
     /// Of how many.
-    pub of: usize,
+    pub shares: usize,
 }
 
 impl std::str::FromStr for Shard {
@@ -90,7 +90,9 @@ impl std::str::FromStr for Shard {
             .split_once('/')
             .and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match parts {
-            Some((number, of)) if (1..=of).contains(&number) => Ok(Shard { number, of }),
+            Some((number, shares)) if (1..=shares).contains(&number) => {
+                Ok(Shard { number, shares })
+            }
             _ => Err("I/N with 1 ≤ I ≤ N, as in 3/16".to_owned()),
         }
     }
@@ -266,7 +268,7 @@ pub fn run(
 fn begin(plan: &SweepPlan) -> Result<()> {
     let folder = plan.folder();
     let runs = folder.join(RUNS);
-    plan.sweep.own(&folder)?;
+    plan.sweep.claim(&folder)?;
     make_folder(&runs)
 }
 
@@ -427,21 +429,24 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
 
 /// The runs of a share, with those that they start from; of runs with one job the first.
 fn own_runs(plan: &SweepPlan, shard: Option<Shard>) -> BTreeSet<usize> {
-    let Shard { number, of } = shard.unwrap_or(Shard { number: 1, of: 1 });
+    let Shard { number, shares } = shard.unwrap_or(Shard {
+        number: 1,
+        shares: 1,
+    });
     let count = plan.runs.len();
     let firsts = firsts(&plan.runs);
     // Neighbors stay together, so that few are run by several
-    let share = (number - 1) * count / of..number * count / of;
-    let mut own = BTreeSet::new();
+    let share = (number - 1) * count / shares..number * count / shares;
+    let mut runs = BTreeSet::new();
     for i in share {
         let mut next = vec![firsts[i]];
         while let Some(i) = next.pop() {
-            if own.insert(i) {
+            if runs.insert(i) {
                 next.extend(plan.runs[i].parents.iter().map(|&parent| firsts[parent]));
             }
         }
     }
-    own
+    runs
 }
 
 /// The runs that a run starts from, if none of them fails: the first of those with the same job, each once.
@@ -547,7 +552,7 @@ fn on_slots(
     };
     let mut broken = None;
     thread::scope(|scope| {
-        let (tell, told) = channel();
+        let (tell, messages) = channel();
         for (slot, work) in works.iter().enumerate() {
             let threads = (plan.threads / slots + usize::from(slot < plan.threads % slots)).max(1);
             let (tell, board, news) = (tell.clone(), &board, &news);
@@ -574,7 +579,7 @@ fn on_slots(
                 asked(wanted - passed);
                 passed = wanted;
             }
-            match told.recv_timeout(PAUSE) {
+            match messages.recv_timeout(PAUSE) {
                 Ok(Told::Ended {
                     run,
                     state,
@@ -668,8 +673,8 @@ impl Slot<'_> {
                     format!("a fault of Tomolith: {}", text.unwrap_or_default()),
                 ))
             });
-            let told = self.settle(i, ran, begin.elapsed().as_secs_f64());
-            let turn = match &told {
+            let message = self.settle(i, ran, begin.elapsed().as_secs_f64());
+            let turn = match &message {
                 Some(Told::Ended {
                     state: State::Done(_),
                     ..
@@ -679,8 +684,8 @@ impl Slot<'_> {
             };
             lock(self.board).turns[i] = turn;
             self.news.notify_all();
-            if let Some(told) = told {
-                let _ = self.tell.send(told);
+            if let Some(message) = message {
+                let _ = self.tell.send(message);
             }
         }
     }

@@ -21,12 +21,12 @@ pub(crate) enum Expression {
 
 impl Expression {
     /// Its value, where all its names have one.
-    pub(crate) fn value(&self, of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    pub(crate) fn value(&self, value_of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         match self {
             Expression::Number(number) => Some(*number),
-            Expression::Name(name) => of(name),
+            Expression::Name(name) => value_of(name),
             Expression::Joined(left, sign, right) => {
-                let (left, right) = (left.value(of)?, right.value(of)?);
+                let (left, right) = (left.value(value_of)?, right.value(value_of)?);
                 Some(match sign {
                     '+' => left + right,
                     '-' => left - right,
@@ -70,8 +70,9 @@ pub(crate) struct Condition {
 
 impl Condition {
     /// Whether it is met.
-    pub(crate) fn is_met(&self, of: &dyn Fn(&str) -> Option<f64>) -> bool {
-        let (Some(left), Some(right)) = (self.left.value(of), self.right.value(of)) else {
+    pub(crate) fn is_met(&self, value_of: &dyn Fn(&str) -> Option<f64>) -> bool {
+        let (Some(left), Some(right)) = (self.left.value(value_of), self.right.value(value_of))
+        else {
             return false;
         };
         // What was divided by 0 is no number to compare
@@ -89,9 +90,9 @@ impl Condition {
     }
 
     /// The value of a side that is not finite though all its names have numbers: what was divided by 0.
-    pub(crate) fn undefined(&self, of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    pub(crate) fn undefined(&self, value_of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         let sides = [&self.left, &self.right].into_iter();
-        let mut values = sides.filter_map(|side| side.value(of));
+        let mut values = sides.filter_map(|side| side.value(value_of));
         values.find(|value| !value.is_finite())
     }
 
@@ -268,7 +269,7 @@ impl Reader {
 mod tests {
     use super::*;
 
-    fn of(name: &str) -> Option<f64> {
+    fn value_of(name: &str) -> Option<f64> {
         match name {
             "a" => Some(2.0),
             "limits[0].loss" => Some(0.5),
@@ -286,10 +287,17 @@ mod tests {
             ("8/4/2", 1.0),
             ("2*limits[0].loss", 1.0),
         ] {
-            let found = text.parse::<Expression>().unwrap().value(&of).unwrap();
+            let found = text
+                .parse::<Expression>()
+                .unwrap()
+                .value(&value_of)
+                .unwrap();
             assert!((found - value).abs() < 1e-12, "{text}: {found}");
         }
-        assert_eq!("a + b".parse::<Expression>().unwrap().value(&of), None);
+        assert_eq!(
+            "a + b".parse::<Expression>().unwrap().value(&value_of),
+            None
+        );
         assert_eq!("a < 2*b".parse::<Condition>().unwrap().names(), ["a", "b"]);
     }
 
@@ -306,7 +314,7 @@ mod tests {
             ("a < 1/0", false),
         ] {
             assert_eq!(
-                text.parse::<Condition>().unwrap().is_met(&of),
+                text.parse::<Condition>().unwrap().is_met(&value_of),
                 met,
                 "{text}"
             );
@@ -315,7 +323,7 @@ mod tests {
 
     #[test]
     fn a_division_by_zero_is_told_from_a_name_without_a_number() {
-        let undefined = |text: &str| text.parse::<Condition>().unwrap().undefined(&of);
+        let undefined = |text: &str| text.parse::<Condition>().unwrap().undefined(&value_of);
         assert_eq!(undefined("1/(a - 2) < 3"), Some(f64::INFINITY));
         assert!(undefined("3 > (a - 2)/(a - 2)").unwrap().is_nan());
         assert_eq!((undefined("1/b < 3"), undefined("a < 3")), (None, None));

@@ -131,8 +131,8 @@ pub(crate) fn write(
     let mut files = Vec::new();
     for figure in &study.spec.figures {
         let reports = || {
-            let of = |panel: &PanelSpec| of_run(panel, plans.get(panel.of.as_str()));
-            figure.panels.iter().flat_map(of)
+            let reports_of = |panel: &PanelSpec| of_run(panel, plans.get(panel.of.as_str()));
+            figure.panels.iter().flat_map(reports_of)
         };
         let svg = match &figure.histogram {
             Some(path) => of_histograms(figure, path, reports()),
@@ -175,11 +175,11 @@ fn of_slices(figure: &FigureSpec, reports: impl Iterator<Item = Titled>) -> Opti
 /// Panels, and the titles of reports that have none.
 fn panels<P>(
     reports: impl Iterator<Item = Titled>,
-    of: impl Fn(&str, &Value) -> Option<P>,
+    panel_of: impl Fn(&str, &Value) -> Option<P>,
 ) -> (Vec<P>, Vec<String>) {
     let (mut panels, mut missing) = (Vec::new(), Vec::new());
     for (title, report) in reports {
-        match of(&title, &report) {
+        match panel_of(&title, &report) {
             Some(panel) => panels.push(panel),
             None => missing.push(title),
         }
@@ -188,23 +188,23 @@ fn panels<P>(
 }
 
 fn caption(figure: &FigureSpec, what: &str, missing: &[String]) -> String {
-    let own = figure.caption.trim();
+    let text = figure.caption.trim();
     let missing = match missing {
         [] => String::new(),
         all => format!(" Without {what}: {}.", all.join(", ")),
     };
-    format!("{own}{missing}").trim().to_owned()
+    format!("{text}{missing}").trim().to_owned()
 }
 
 /// The reports of a panel's runs, in the order of the sweep.
 fn of_run(panel: &PanelSpec, plan: Option<&&SweepPlan>) -> Vec<Titled> {
-    let own = || panel.name.clone().unwrap_or_else(|| panel.of.clone());
+    let panel_name = || panel.name.clone().unwrap_or_else(|| panel.of.clone());
     let Some(plan) = plan else {
-        return vec![(own(), Value::Null)];
+        return vec![(panel_name(), Value::Null)];
     };
     let of_index = |i: usize| {
         let title = match plan.words(i) {
-            words if words.is_empty() => own(),
+            words if words.is_empty() => panel_name(),
             words => words,
         };
         (title, read_report(&plan.run_folder(i)).unwrap_or_default())
@@ -227,8 +227,8 @@ fn slices(report: &Value, names: &[String], title: &str) -> Option<ProfilePanel>
 
 /// A table of a report as a histogram.
 fn histogram(report: &Value, path: &str, title: &str) -> Option<HistogramPanel> {
-    let (of, name) = path.split_once('.')?;
-    let table = report[of][name].as_object()?;
+    let (section, name) = path.split_once('.')?;
+    let table = report[section][name].as_object()?;
     let numbers = |value: &Value| {
         let list = value.as_array()?.iter().map(Value::as_f64);
         list.collect::<Option<Vec<f64>>>()

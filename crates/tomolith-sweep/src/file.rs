@@ -403,13 +403,14 @@ fn must_be_of_the_job(spec: &SweepSpec, axes: &[Axis]) -> Result<()> {
 /// Refuses keys of `set` that an axis sets anew in every run.
 fn must_be_heard(spec: &SweepSpec, axes: &[Axis]) -> Result<()> {
     for (i, axis) in axes.iter().enumerate() {
-        for own in axis.keys_of_all_values() {
+        for axis_key in axis.keys_of_all_values() {
             let is_within = |key: &&String| {
-                let rest = key.strip_prefix(own);
+                let rest = key.strip_prefix(axis_key);
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
             };
             if let Some(key) = spec.set.keys().find(is_within) {
-                let found = format!("`{own}` of this axis takes the place of `{key}` in [set]");
+                let found =
+                    format!("`{axis_key}` of this axis takes the place of `{key}` in [set]");
                 let accepted = "one of them: the axis, or the key in [set]";
                 return Err(Error::config(format!("axes[{i}]"), found, accepted));
             }

@@ -39,7 +39,7 @@ pub(crate) fn remove_outdated(plan: &SweepPlan, folder: &Path) {
     let head = before.lines().next().unwrap_or_default();
     let metrics = head.split(',').skip_while(|name| *name != "state").skip(1);
     for metric in metrics.take_while(|name| *name != "feasible") {
-        if !plan.sweep.metrics.iter().any(|own| own == metric) {
+        if !plan.sweep.metrics.iter().any(|name| name == metric) {
             // Gone already is as good
             let _ = std::fs::remove_file(folder.join(file_name(metric)));
         }
@@ -101,11 +101,11 @@ fn guides(plan: &SweepPlan) -> Vec<Guide> {
             numbers.collect::<Vec<f64>>()
         });
         let off = |[x, y]: [f64; 2]| {
-            let of = |name: &str| {
+            let value_of = |name: &str| {
                 let a = usize::from(axes[0].name != name);
                 Some(between(&values[a], [x, y][a]))
             };
-            Some(left.value(&of)? - right.value(&of)?)
+            Some(left.value(&value_of)? - right.value(&value_of)?)
         };
         let last = values.each_ref().map(|values| (values.len() - 1) as f64);
         // A line that is steep is found along x, a flat one along y
@@ -167,12 +167,12 @@ fn caption(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     };
     let which = if best.is_highest { "highest" } else { "lowest" };
     let ranked = format!("{which} {} = {}", best.metric, number(&best.metric));
-    let own = if metric == best.metric {
+    let value = if metric == best.metric {
         String::new()
     } else {
         format!("; there {metric} = {}", number(metric))
     };
-    format!("Best: {ranked} at {}{own}.", plan.words(i))
+    format!("Best: {ranked} at {}{value}.", plan.words(i))
 }
 
 /// One metric over one axis.
@@ -212,7 +212,7 @@ fn panels(plan: &SweepPlan, cell: &dyn Fn(usize) -> Cell) -> (Vec<Panel>, usize)
         let rest = &index[2..];
         let at = panels
             .iter()
-            .position(|(own, _)| own == rest)
+            .position(|(index, _)| index == rest)
             .unwrap_or_else(|| {
                 let words = axes[2..]
                     .iter()

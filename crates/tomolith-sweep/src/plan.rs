@@ -174,7 +174,7 @@ impl Sweep {
     ///
     /// # Errors
     /// [`Error::Config`] where they are another sweep's, or the folder holds something else; [`Error::Io`].
-    pub(crate) fn own(&self, folder: &Path) -> Result<()> {
+    pub(crate) fn claim(&self, folder: &Path) -> Result<()> {
         must_be_made_for_results("folder", folder, OWNER).map_err(|e| self.document.locate(e))?;
         if let Some(other) = self.other_owner(folder) {
             let (folder, other) = (folder.display(), other.display());
@@ -291,7 +291,7 @@ impl Sweep {
             (error, None) if is_all => of_run(error),
             (
                 Error::Config {
-                    key: own,
+                    key: blamed,
                     accepted,
                     nearest,
                     found,
@@ -300,9 +300,9 @@ impl Sweep {
                 Some(key),
             ) if is_all => {
                 let found = without_option(&found).to_owned();
-                let found = match own.starts_with("--set ") {
+                let found = match blamed.starts_with("--set ") {
                     true => found,
-                    false => format!("`{own}`: {found}"),
+                    false => format!("`{blamed}`: {found}"),
                 };
                 Error::Config {
                     key,
@@ -395,7 +395,7 @@ impl Sweep {
     }
 
     /// The identity of a job that starts from another's patterns.
-    fn warm_id(&self, own: &str, from: &str) -> String {
+    fn warm_id(&self, id: &str, from: &str) -> String {
         let number = |id: &str| u64::from_str_radix(id, 16).unwrap_or(0);
         let iterations = self
             .spec
@@ -404,7 +404,7 @@ impl Sweep {
             .map_or(u64::MAX, |n| n as u64);
         format!(
             "{:016x}",
-            mixed(number(own) ^ mixed(number(from) ^ mixed(iterations ^ STARTS)))
+            mixed(number(id) ^ mixed(number(from) ^ mixed(iterations ^ STARTS)))
         )
     }
 }
@@ -598,7 +598,9 @@ fn step_to(points: &[SweepPoint], i: usize, parents: &[usize]) -> Option<[usize;
     let (&nearest, others) = parents.split_first()?;
     let step = |&to: &usize| {
         let places = place(to).iter().zip(place(nearest)).zip(place(i));
-        let begin: Vec<f64> = places.map(|((to, near), own)| to - (own - near)).collect();
+        let begin: Vec<f64> = places
+            .map(|((to, near), here)| to - (here - near))
+            .collect();
         let from = (0..i).find(|&from| apart(place(from), &begin) == 0.0)?;
         Some([from, to])
     };
@@ -681,17 +683,17 @@ mod tests {
 
     #[test]
     fn an_error_of_a_run_tells_no_option_that_nobody_typed() {
-        let told = |key: &str, found: &str| of_run(Error::config(key, found, "3")).to_string();
+        let message = |key: &str, found: &str| of_run(Error::config(key, found, "3")).to_string();
         assert_eq!(
-            told("grid.pitch_mm", "found 2 (from --set grid.pitch_mm=2)"),
+            message("grid.pitch_mm", "found 2 (from --set grid.pitch_mm=2)"),
             "grid.pitch_mm: found 2; accepted: 3"
         );
         assert_eq!(
-            told("target", "too large (with --set grid.pitch_mm=50)"),
+            message("target", "too large (with --set grid.pitch_mm=50)"),
             "target: too large; accepted: 3"
         );
         assert_eq!(
-            told("--set light[3].angles=12", "has 1 element"),
+            message("--set light[3].angles=12", "has 1 element"),
             "light[3].angles: has 1 element; accepted: 3"
         );
     }

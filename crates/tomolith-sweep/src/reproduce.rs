@@ -224,8 +224,9 @@ impl Reproduction {
                 .count()
         };
         let counts = words.map(|word| (count(word), word));
-        let said = counts.iter().filter(|(count, _)| *count > 0);
-        said.map(|(count, word)| format!("{count} {word}"))
+        let shown = counts.iter().filter(|(count, _)| *count > 0);
+        shown
+            .map(|(count, word)| format!("{count} {word}"))
             .collect::<Vec<_>>()
             .join(", ")
     }
@@ -437,8 +438,8 @@ fn command(
         return Ok((RunResult::Answer(answer), Vec::new()));
     }
     // What a later call may replace
-    let said = serde_json::to_vec(&words).unwrap_or_default();
-    write_whole(&folder.join(COMMAND), |out| Ok(out.write_all(&said)?))?;
+    let bytes = serde_json::to_vec(&words).unwrap_or_default();
+    write_whole(&folder.join(COMMAND), |out| Ok(out.write_all(&bytes)?))?;
     let report = read_text(folder.join("report.json")).ok();
     let report = report.and_then(|text| serde_json::from_str(&text).ok());
     let entries = std::fs::read_dir(folder).map_err(|e| Error::io(folder, e))?;
@@ -500,7 +501,7 @@ fn ours(
     tables: &BTreeMap<&str, Table<'_>>,
     named: &BTreeMap<&str, f64>,
 ) -> Result<f64, Verdict> {
-    let of = |name: &str| named.get(name).copied();
+    let number_of = |name: &str| named.get(name).copied();
     let missing = |why: &str| Verdict::Missing(why.to_owned());
     // Rows without a number state the reason; rows that follow from them have none either
     let unknown = || Verdict::NotCompared("an earlier row has no number".to_owned());
@@ -508,7 +509,7 @@ fn ours(
     if let Some(value) = &row.value {
         let value = value.parse::<Expression>().ok();
         let value = value
-            .and_then(|value| value.value(&of))
+            .and_then(|value| value.value(&number_of))
             .ok_or_else(unknown)?;
         return match value.is_finite() {
             true => Ok(value),
@@ -516,10 +517,10 @@ fn ours(
         };
     }
     if let Some(holds) = row.holds.as_ref().and_then(parsed) {
-        if holds.names().iter().any(|name| of(name).is_none()) {
+        if holds.names().iter().any(|name| number_of(name).is_none()) {
             return Err(unknown());
         }
-        return Ok(f64::from(u8::from(holds.is_met(&of))));
+        return Ok(f64::from(u8::from(holds.is_met(&number_of))));
     }
     let Some(name) = &row.of else {
         return Err(

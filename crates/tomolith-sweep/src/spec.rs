@@ -89,8 +89,8 @@ pub(crate) struct AxisSpec {
 impl AxisSpec {
     /// Whether the axis goes by this name.
     pub(crate) fn is_named(&self, name: &str) -> bool {
-        let own = || self.key.as_deref().map(crate::axes::last_part);
-        self.name.clone().or_else(own).as_deref() == Some(name)
+        let from_key = || self.key.as_deref().map(crate::axes::last_part);
+        self.name.clone().or_else(from_key).as_deref() == Some(name)
     }
 
     /// Whether it takes the place of another axis: that of its key, or of its name where it has cases.

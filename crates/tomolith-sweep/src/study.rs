@@ -223,7 +223,7 @@ fn has(row: &Value, key: &str) -> bool {
 
 /// A key of a row that contradicts another one or lacks it, what is found, and what is accepted.
 fn at_odds(row: &Value) -> Option<(&'static str, String, &'static str)> {
-    let beside = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
+    let together = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
         let are_both = has(row, key) && has(row, other);
         are_both.then(|| (key, format!("together with {other}"), accepted))
     };
@@ -231,7 +231,7 @@ fn at_odds(row: &Value) -> Option<(&'static str, String, &'static str)> {
         let is_alone = has(row, key) && !has(row, other);
         is_alone.then(|| (key, format!("without {other}"), accepted))
     };
-    let apart = APART.iter().find_map(beside);
+    let apart = APART.iter().find_map(together);
     apart.or_else(|| TOGETHER.iter().find_map(without))
 }
 
@@ -329,8 +329,8 @@ impl Study {
     ) -> Result<()> {
         let runs = self.spec.runs.values();
         let of_runs = runs.flat_map(|run| run.sweep.iter().chain(&run.job).chain(&run.needs));
-        let own = std::iter::once(Path::new(FILE)).chain(of_runs.map(PathBuf::as_path));
-        let own = own.map(|file| self.folder.join(file));
+        let files = std::iter::once(Path::new(FILE)).chain(of_runs.map(PathBuf::as_path));
+        let files = files.map(|file| self.folder.join(file));
         let jobs = plans.values().map(|plan| plan.sweep.base.file.clone());
         let results = resolved(output);
         let is_hit = |file: &PathBuf| {
@@ -338,7 +338,7 @@ impl Study {
             let of_run = |name: &String| file.starts_with(results.join(name));
             file.parent() == Some(results.as_path()) || self.spec.runs.keys().any(of_run)
         };
-        let Some(file) = own.chain(jobs).find(is_hit) else {
+        let Some(file) = files.chain(jobs).find(is_hit) else {
             return Ok(());
         };
         Err(Error::config(
@@ -394,12 +394,12 @@ impl Study {
         let Some(set) = key.strip_prefix("set.") else {
             return error;
         };
-        let own = match self.is_quick && run.quick.set.contains_key(set) {
+        let full_key = match self.is_quick && run.quick.set.contains_key(set) {
             true => format!("runs.{name}.quick.set.{set}"),
             false if run.set.contains_key(set) => format!("runs.{name}.set.{set}"),
             false => return error,
         };
-        (*key, *place) = (own, None);
+        (*key, *place) = (full_key, None);
         self.document.locate(error)
     }
 
@@ -409,7 +409,7 @@ impl Study {
     /// [`Error::Config`] with file and line.
     pub(crate) fn must_have_axes(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
         for (i, row) in self.spec.rows.iter().enumerate() {
-            let Some(plan) = row.of.as_deref().and_then(|of| plans.get(of)) else {
+            let Some(plan) = row.of.as_deref().and_then(|name| plans.get(name)) else {
                 continue;
             };
             let sweep = &plan.sweep;
@@ -484,18 +484,21 @@ impl Study {
             spec.set.insert(key.clone(), value.clone());
         }
         for axis in quick.map_or(&[][..], |quick| &quick.axes) {
-            let of_key = spec.axes.iter_mut().find(|own| axis.replaces(own));
-            let Some(own) = of_key else {
-                let own = axis.key.as_ref().or(axis.name.as_ref());
+            let of_key = spec
+                .axes
+                .iter_mut()
+                .find(|full_axis| axis.replaces(full_axis));
+            let Some(full_axis) = of_key else {
+                let key = axis.key.as_ref().or(axis.name.as_ref());
                 let found = format!(
                     "the quick size of run `{name}` names the axis `{}`",
-                    own.map_or("", String::as_str)
+                    key.map_or("", String::as_str)
                 );
                 let accepted = "the key of an axis of the sweep; of one with cases its name";
                 return Err(Error::config("axes", found, accepted));
             };
-            let name = axis.name.clone().or(own.name.take());
-            *own = AxisSpec {
+            let name = axis.name.clone().or(full_axis.name.take());
+            *full_axis = AxisSpec {
                 name,
                 ..axis.clone()
             };
@@ -619,10 +622,10 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         };
         Err(Error::config(at, found, accepted))
     };
-    if let Some(of) = &row.of {
-        if !spec.runs.contains_key(of) {
+    if let Some(run) = &row.of {
+        if !spec.runs.contains_key(run) {
             let names: Vec<&str> = spec.runs.keys().map(String::as_str).collect();
-            return refuse("of", format!("unknown run `{of}`"), &names.join(", "));
+            return refuse("of", format!("unknown run `{run}`"), &names.join(", "));
         }
         if row.metric.is_none() && row.share_of.is_none() {
             return refuse("metric", "none".to_owned(), "a number of the run's report");
@@ -633,8 +636,8 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
             ("over", row.over.is_some()),
         ];
         let of_many = of_many.into_iter().find(|(_, is_given)| *is_given);
-        if let (Some((key, _)), None) = (of_many, &spec.runs[of].sweep) {
-            let found = format!("together with of = \"{of}\", which is no sweep");
+        if let (Some((key, _)), None) = (of_many, &spec.runs[run].sweep) {
+            let found = format!("together with of = \"{run}\", which is no sweep");
             return refuse(key, found, "a run with a sweep; without it the only run");
         }
     }

@@ -78,11 +78,11 @@ impl<'p> Table<'p> {
     /// Whether a run is done and meets every condition of the best.
     pub(crate) fn is_feasible(&self, i: usize) -> bool {
         let sweep = &self.plan.sweep;
-        let of = |name: &str| {
+        let value_of = |name: &str| {
             named(&sweep.axes, &self.plan.runs[i].point, name).or_else(|| self.metric(i, name))
         };
         matches!(self.states[i], State::Done(_))
-            && sweep.best.conditions.iter().all(|c| c.is_met(&of))
+            && sweep.best.conditions.iter().all(|c| c.is_met(&value_of))
     }
 
     /// Metrics that no run has of those that are done, and why the first of them has not.

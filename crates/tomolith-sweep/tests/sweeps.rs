@@ -177,8 +177,8 @@ fn damaged_runs_are_done_again_and_told() {
         outcome.warnings
     );
     for part in ["report.json: no `schema`", "patterns.npz: truncated"] {
-        let told = outcome.warnings.iter().filter(|text| text.contains(part));
-        assert_eq!(told.count(), 1, "{part}: {:?}", outcome.warnings);
+        let warnings = outcome.warnings.iter().filter(|text| text.contains(part));
+        assert_eq!(warnings.count(), 1, "{part}: {:?}", outcome.warnings);
     }
     assert_eq!(bench.table("out"), table);
     assert_eq!(fs::read(&patterns).unwrap(), whole);
@@ -222,8 +222,8 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
         .with_folder(&bench.path("single"), "test");
     job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let single = bench.read("single/report.json");
-    let own = fs::read_to_string(plan.run_folder(3).join("report.json")).unwrap();
-    assert_eq!(comparable(&own), comparable(&single));
+    let swept = fs::read_to_string(plan.run_folder(3).join("report.json")).unwrap();
+    assert_eq!(comparable(&swept), comparable(&single));
     // Little is left of each
     let left = |folder: PathBuf| {
         let mut names: Vec<_> = fs::read_dir(folder)
@@ -266,10 +266,10 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
     assert_eq!(all[best.run - 1], highest);
     let job = job::Job::read(&bench.path("out/best.toml"), &[]).unwrap();
     // The sweep collects no distances of surfaces, which its best job measures
-    let mut own = job.clone();
-    own.spec.evaluate.surfaces = false;
+    let mut without_surfaces = job.clone();
+    without_surfaces.spec.evaluate.surfaces = false;
     assert_eq!(
-        own.identity().unwrap(),
+        without_surfaces.identity().unwrap(),
         bench.plan("out").runs[best.run - 1].id
     );
     let summary = job::run(&job, false, &mut Silent, &Work::new()).unwrap();
@@ -282,26 +282,26 @@ fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
     let bench = Bench::new(SWEEP);
     bench.whole("whole", 2);
     let work = Work::new();
-    let mut told = Told {
+    let mut progress = Told {
         stop_after: Some((2, Some(&work))),
         ..Told::default()
     };
-    let stopped = run(&bench.plan("stopped"), None, &mut told, &work);
+    let stopped = run(&bench.plan("stopped"), None, &mut progress, &work);
     assert!(matches!(stopped, Err(Error::Canceled)), "{stopped:?}");
     let before = bench.reports("stopped");
     assert!((2..6).contains(&before.len()), "{}", before.len());
-    let mut told = Told::default();
-    run(&bench.plan("stopped"), None, &mut told, &Work::new()).unwrap();
+    let mut progress = Told::default();
+    run(&bench.plan("stopped"), None, &mut progress, &Work::new()).unwrap();
     assert_eq!(bench.table("stopped"), bench.table("whole"));
     let after = bench.reports("stopped");
     // Dates included: they are the same files
     assert!(before.iter().all(|(path, text)| after[path] == *text));
-    assert_eq!(told.events.len(), 1 + 6 - before.len());
+    assert_eq!(progress.events.len(), 1 + 6 - before.len());
     // A value more costs its own runs alone
     bench.write("sweep.toml", &SWEEP.replace("0.3, 0.5", "0.2, 0.3, 0.5"));
-    let mut told = Told::default();
-    run(&bench.plan("stopped"), None, &mut told, &Work::new()).unwrap();
-    assert_eq!(told.events.len(), 1 + 3);
+    let mut progress = Told::default();
+    run(&bench.plan("stopped"), None, &mut progress, &Work::new()).unwrap();
+    assert_eq!(progress.events.len(), 1 + 3);
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn shares_of_other_machines_merged_are_the_whole() {
     for (i, name) in names.into_iter().enumerate() {
         let shard = Some(Shard {
             number: i + 1,
-            of: names.len(),
+            shares: names.len(),
         });
         let outcome = run(&bench.plan(name), shard, &mut Told::default(), &Work::new()).unwrap();
         assert!(
@@ -368,17 +368,17 @@ fn two_sweep_files_have_two_folders_and_a_file_that_moved_keeps_its_own() {
 #[test]
 fn a_share_of_the_memory_that_holds_no_run_is_told_at_its_own_key() {
     let bench = Bench::new(SWEEP);
-    let of = |gb: f64, side_by_side: usize| {
+    let sweep_of = |gb: f64, side_by_side: usize| {
         format!("{SWEEP}[resources]\nmemory_gb = {gb}\nside_by_side = {side_by_side}\n")
     };
     // One run needs 1 to 50 MB
-    let message = bench.refusal(&of(0.05, 1000));
+    let message = bench.refusal(&sweep_of(0.05, 1000));
     contains!(
         message,
         "resources.side_by_side: 0 MB are left for each run, and one needs about",
         "at a time in 50 MB; or a larger resources.memory_gb"
     );
-    bench.write("sweep.toml", &of(0.05, 1));
+    bench.write("sweep.toml", &sweep_of(0.05, 1));
     bench.plan("out");
 }
 
@@ -398,9 +398,9 @@ fn a_run_that_fails_is_noted_and_tried_again() {
     let line = table.lines().nth(3).unwrap();
     contains!(line, ",failed,", "holds files that are not from a run");
     fs::remove_file(&foreign).unwrap();
-    let mut told = Told::default();
-    run(&plan, None, &mut told, &Work::new()).unwrap();
-    assert_eq!(told.events.len(), 2);
+    let mut progress = Told::default();
+    run(&plan, None, &mut progress, &Work::new()).unwrap();
+    assert_eq!(progress.events.len(), 2);
     assert_eq!(bench.table("out"), bench.table("whole"));
 }
 
@@ -478,7 +478,7 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
     for number in 1..=2 {
         run(
             &bench.plan("shares"),
-            Some(Shard { number, of: 2 }),
+            Some(Shard { number, shares: 2 }),
             &mut Told::default(),
             &Work::new(),
         )
@@ -490,14 +490,14 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
     let initial = initial_losses(&bench, "cold");
     let (mut cold_steps, mut warm_steps) = (0.0, 0.0);
     for ((cold, warm), initial) in cold.iter().zip(&warm).zip(initial) {
-        let [own, other] = [cold, warm].map(|row| row[6]);
-        let near = (own - other).abs() <= (0.01 * own).max(1e-6 * initial);
+        let [cold_loss, warm_loss] = [cold, warm].map(|row| row[6]);
+        let near = (cold_loss - warm_loss).abs() <= (0.01 * cold_loss).max(1e-6 * initial);
         assert!(
             near,
-            "loss {other} in place of {own}, {initial} at the start"
+            "loss {warm_loss} in place of {cold_loss}, {initial} at the start"
         );
         // Where a loss reaches 0 many patterns do, with windows of their own
-        let is_unique = own > 1e-6 * initial;
+        let is_unique = cold_loss > 1e-6 * initial;
         assert!(
             !is_unique || (cold[5] - warm[5]).abs() < 0.005,
             "PW {} in place of {}",
@@ -590,9 +590,9 @@ values = [8, 12]
         .skip(1)
         .map(|row| row.split(',').collect())
         .collect();
-    let told = rows.iter().map(|row| (row[1], row[2], row[5]));
+    let columns = rows.iter().map(|row| (row[1], row[2], row[5]));
     assert_eq!(
-        told.collect::<Vec<_>>(),
+        columns.collect::<Vec<_>>(),
         [
             ("as it is", "8", "8"),
             ("as it is", "12", "8"),
@@ -678,7 +678,7 @@ fn the_list_is_of_ordinary_commands() {
 fn a_sweep_that_cannot_be_is_refused_before_any_run() {
     let bench = Bench::new(SWEEP);
     let axis = |text: &str| format!("job = \"job.toml\"\n[[axes]]\n{text}\n");
-    for (sweep, said) in [
+    for (sweep, expected) in [
         (
             axis("key = \"objective.ospw.lwer\"\nvalues = [0.1]"),
             "axes[0].key: `objective.ospw.lwer`: … did you mean `lower`? … line 3",
@@ -786,7 +786,7 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         ),
     ] {
         let message = bench.refusal(&sweep);
-        for part in said.split('…').map(str::trim) {
+        for part in expected.split('…').map(str::trim) {
             assert!(message.contains(part), "{part} is not in: {message}");
         }
     }

@@ -505,8 +505,8 @@ mod tests {
         assert!(built(&with("beside.stl")).is_ok());
         let text = refused(&with("rod.stl"));
         // 1 × 2 × 4 mm
-        let said = "target.body[1]: this body (keep-dark) and body[0] (print) share 8 mm³";
-        assert!(text.starts_with(said), "{text}");
+        let expected = "target.body[1]: this body (keep-dark) and body[0] (print) share 8 mm³";
+        assert!(text.starts_with(expected), "{text}");
     }
 
     #[test]

@@ -50,16 +50,16 @@ pub fn cut_off(grid: &VolumeGrid, shape: &dyn Shape, work: &Work) -> Result<Opti
         let high = (middle + half).min(bounds[1][axis]);
         ((high - low) / fine.pitch_mm).max(0.0)
     };
-    let (mut all, mut kept) = (0.0, 0.0);
+    let (mut all, mut inside) = (0.0, 0.0);
     for (i, &value) in values.iter().enumerate().filter(|(_, value)| **value > 0.0) {
         let value = f64::from(value);
         let middle = fine.middle(i);
         all += value;
-        kept += value
+        inside += value
             * (0..3)
                 .map(|axis| within(axis, middle[axis]))
                 .product::<f64>();
     }
-    let lost = if all > 0.0 { 1.0 - kept / all } else { 0.0 };
+    let lost = if all > 0.0 { 1.0 - inside / all } else { 0.0 };
     Ok(Some(lost.max(0.0)))
 }

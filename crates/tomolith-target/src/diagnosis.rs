@@ -126,27 +126,27 @@ impl Diagnosis {
     /// One sentence for each thing that people should know; empty for a sound mesh.
     #[must_use]
     pub fn sentences(&self) -> Vec<String> {
-        let mut said = Vec::new();
+        let mut sentences = Vec::new();
         if self.welded_vertices > 0 {
-            said.push(format!(
+            sentences.push(format!(
                 "The surface had cracks: {} vertices were welded to others next to them.",
                 self.welded_vertices
             ));
         }
         if self.copied_triangles > 0 {
-            said.push(format!(
+            sentences.push(format!(
                 "{} triangles occurred more than once; the copies were dropped.",
                 self.copied_triangles
             ));
         }
         if self.back_to_back_triangles > 0 {
-            said.push(format!(
+            sentences.push(format!(
                 "{} triangles stood back to back, walls without thickness; they were dropped.",
                 self.back_to_back_triangles
             ));
         }
         if let Some(at) = self.open_at {
-            said.push(format!(
+            sentences.push(format!(
                 "The mesh is open: {} edges have one triangle only, the first near {}; {} {} closed by flat fans.",
                 self.open_edges,
                 place(at),
@@ -155,20 +155,20 @@ impl Diagnosis {
             ));
         }
         if self.one_sided_edges > 0 || self.guessed_holes > 0 {
-            said.push(format!(
+            sentences.push(format!(
                 "Repaired by a guess, as target.repair = \"force\" asks: {}.",
                 self.guesses().join("; ")
             ));
         }
         if let Some(at) = self.non_manifold_at {
-            said.push(format!(
+            sentences.push(format!(
                 "{} edges belong to more than two triangles, the first near {}: shells that touch, or doubled faces.",
                 self.non_manifold_edges,
                 place(at)
             ));
         }
         if self.inconsistent_edges > 0 {
-            said.push(format!(
+            sentences.push(format!(
                 "Neighboring triangles disagree about the outside at {}; {} {} turned.",
                 counted(self.inconsistent_edges, "edge"),
                 counted(self.turned_triangles, "triangle"),
@@ -180,21 +180,21 @@ impl Diagnosis {
             ));
         }
         if self.inside_out {
-            said.push(
+            sentences.push(
                 "The whole mesh was inside out (negative volume); all triangles were turned."
                     .into(),
             );
         } else if let Some(&at) = self.turned_shells_at.first() {
-            said.push(format!(
+            sentences.push(format!(
                 "{} of {} shells belong to bodies that were inside out, the first near {}; they were turned.",
                 self.turned_shells_at.len(),
                 self.shell_volumes_mm3.len(),
                 place(at)
             ));
         }
-        said.extend(self.about_shells());
-        said.extend(self.about_itself());
-        said
+        sentences.extend(self.about_shells());
+        sentences.extend(self.about_itself());
+        sentences
     }
 
     /// What no repair can set right but by a guess.
@@ -355,8 +355,8 @@ mod tests {
         let (after, diagnosis) = found(mesh);
         assert_eq!((diagnosis.open_edges, diagnosis.holes), (4, 1));
         assert!((after.signed_volume() - 6.0).abs() < 1e-12);
-        let said = diagnosis.sentences();
-        tomolith_core::contains!(said[0], "4 edges", ", 3) mm");
+        let sentences = diagnosis.sentences();
+        tomolith_core::contains!(sentences[0], "4 edges", ", 3) mm");
         assert!(diagnosis.is_simple());
     }
 
@@ -436,9 +436,9 @@ mod tests {
         // lies outside: a tip 1.5 high less one 0.5 high
         near!(diagnosis.negative_mm3, (1.5 - 0.5) / 3.0, 2e-3);
         assert!(diagnosis.own_crossings.count > 0 && !diagnosis.is_simple());
-        let said = diagnosis.sentences();
-        assert_eq!(said.len(), 1, "{said:?}");
-        tomolith_core::contains!(said[0], "passes through itself");
+        let sentences = diagnosis.sentences();
+        assert_eq!(sentences.len(), 1, "{sentences:?}");
+        tomolith_core::contains!(sentences[0], "passes through itself");
     }
 
     #[test]
@@ -455,8 +455,8 @@ mod tests {
         let cube = cuboid([0.0; 3], [1.0; 3]);
         let (after, diagnosis) = found(together(&[cube.clone(), cube.clone()]).welded());
         assert_eq!(after, cube.welded());
-        let said = diagnosis.sentences().concat();
-        tomolith_core::contains!(said, "12 triangles occurred more than once");
+        let sentences = diagnosis.sentences().concat();
+        tomolith_core::contains!(sentences, "12 triangles occurred more than once");
     }
 
     #[test]
@@ -474,8 +474,8 @@ mod tests {
                 .collect();
             let (mesh, diagnosis) = found(together(&bodies).welded());
             assert!((mesh.signed_volume() - 16.0).abs() < 1e-12, "{turned}");
-            let said = diagnosis.sentences();
-            assert!(diagnosis.is_simple(), "{turned}: {said:?}");
+            let sentences = diagnosis.sentences();
+            assert!(diagnosis.is_simple(), "{turned}: {sentences:?}");
         }
     }
 
@@ -485,10 +485,10 @@ mod tests {
         let mut half = ball([0.0; 3], 1.0, 3);
         let corners: Vec<[[f64; 3]; 3]> =
             (0..half.triangles.len()).map(|t| half.corners(t)).collect();
-        let mut kept = corners
+        let mut keep = corners
             .iter()
             .map(|c| c.iter().all(|[x, y, _]| *x < 0.5 || *y < 0.1));
-        half.triangles.retain(|_| kept.next().unwrap());
+        half.triangles.retain(|_| keep.next().unwrap());
         let text = refused(half.clone());
         tomolith_core::contains!(text, "neither flat nor small", "target.repair");
         let forced = examine(half, Path::new("a.stl"), Repair::Force, &Work::new());

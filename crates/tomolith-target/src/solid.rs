@@ -61,7 +61,7 @@ impl MeshShape {
         if !file.negative.triangles.is_empty() {
             let (mesh, found) = examine(placed(file.negative), path, repair, work)?;
             let sentences = found.sentences().into_iter();
-            notes.extend(sentences.map(|said| format!("Negative volumes: {said}")));
+            notes.extend(sentences.map(|sentence| format!("Negative volumes: {sentence}")));
             negative = Some(mesh);
         }
         Ok(MeshShape {

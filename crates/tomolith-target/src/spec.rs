@@ -347,7 +347,7 @@ mod tests {
 
     #[test]
     fn keys_and_files_are_named_and_exactly_one_source_is_accepted() {
-        for (toml, said) in [
+        for (toml, message) in [
             ("", "target: no target is named"),
             (
                 "mesh = \"a.stl\"\nphantom = \"gear\"",
@@ -382,7 +382,7 @@ mod tests {
         ] {
             let spec: TargetSpec = toml::from_str(toml).unwrap();
             let built = build(&spec, Path::new("/nowhere"), "target");
-            tomolith_core::contains!(built.unwrap_err().to_string(), said);
+            tomolith_core::contains!(built.unwrap_err().to_string(), message);
         }
         assert!(toml::from_str::<TargetSpec>("phantm = \"gear\"").is_err());
     }

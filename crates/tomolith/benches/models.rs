@@ -80,7 +80,7 @@ fn cases(quick: bool) -> Vec<Case> {
 
 /// The rows of one slice of 512² voxels, and of many 2D problems with one geometry, which are as many slices.
 fn planes() -> Vec<Case> {
-    let of = |slices: usize| {
+    let cases_of = |slices: usize| {
         cases(true).into_iter().map(move |case| Case {
             n: 512,
             slices,
@@ -92,7 +92,7 @@ fn planes() -> Vec<Case> {
         slices: 1,
         ..straight(512, Resin::pure_radon(1.4849), "line")
     };
-    of(1).chain([line]).chain(of(PACK)).collect()
+    cases_of(1).chain([line]).chain(cases_of(PACK)).collect()
 }
 
 /// 2D problems of a pack.
@@ -211,16 +211,16 @@ fn one_frame() -> Result<(), tomolith::Error> {
         };
         let never = "never canceled";
         let all = least(&mut || model.pullback(&x, &dose, &mut grad, &work).expect(never));
-        let own = least(&mut || {
+        let one = least(&mut || {
             let done = model.pullback_of(45..46, &x, &dose, &mut grad, &work);
             done.expect(never);
         });
         let mut sum = dose.zeros_like();
         let forward = least(&mut || model.dose_of(45..46, &x, &mut sum, &work).expect(never));
         println!(
-            "{:10} {all:13.4}  {own:17.4}  {forward:11.4}  {:5.0}",
+            "{:10} {all:13.4}  {one:17.4}  {forward:11.4}  {:5.0}",
             case.name,
-            all / own
+            all / one
         );
     }
     Ok(())

@@ -84,7 +84,7 @@ impl Live {
 impl Progress for Live {
     fn event(&mut self, event: &Event) {
         self.screen.event(event);
-        let told = match event {
+        let message = match event {
             Event::Stage { name } => {
                 json!({ "type": "stage", "run": 0, "name": name, "fraction": null })
             }
@@ -102,11 +102,11 @@ impl Progress for Live {
                 elapsed_s,
                 ..
             } => {
-                let of =
+                let number_of =
                     |number: fn(&MeasuredPrint) -> Option<f64>| print.as_ref().and_then(number);
                 let row = json!({
                     "iteration": iteration, "loss": loss, "projected_gradient": projected_gradient, "seconds": elapsed_s,
-                    "forward_calls": forward_calls, "adjoint_calls": adjoint_calls, "iou": of(|print| print.iou), "process_window": of(|print| print.process_window),
+                    "forward_calls": forward_calls, "adjoint_calls": adjoint_calls, "iou": number_of(|print| print.iou), "process_window": number_of(|print| print.process_window),
                 });
                 self.site.add_row(&row);
                 json!({ "type": "iteration", "run": 0, "row": row, "iterations": iterations })
@@ -114,7 +114,7 @@ impl Progress for Live {
             Event::Note { text } => json!({ "type": "note", "run": 0, "text": text }),
             Event::Warning { text } => json!({ "type": "warning", "run": 0, "text": text }),
         };
-        self.site.tell(&told);
+        self.site.tell(&message);
     }
 
     fn wants(&self) -> Wants {

@@ -93,20 +93,20 @@ fn a_job_comes_from_standard_input() {
             .write_all(text.as_bytes())
             .unwrap();
         let output = child.wait_with_output().unwrap();
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        (output.status.code(), said, output.stdout)
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), message, output.stdout)
     };
-    let (code, said, _) = piped("run - -o out --quiet", JOB);
-    assert_eq!(code, Some(0), "{said}");
+    let (code, message, _) = piped("run - -o out --quiet", JOB);
+    assert_eq!(code, Some(0), "{message}");
     assert!(bench.path("out/report.html").exists());
     let (code, _, found) = piped("check - --json", JOB);
     let found: Value = serde_json::from_slice(&found).unwrap();
     assert_eq!((code, &found["frames"]), (Some(0), &Value::from(24)));
-    let (code, said, _) = piped("check -", &JOB.replace("iterations", "iteratons"));
+    let (code, message, _) = piped("check -", &JOB.replace("iterations", "iteratons"));
     assert_eq!(code, Some(2));
     assert!(
-        said.contains("stdin.toml, line 16") && said.contains("did you mean"),
-        "{said}"
+        message.contains("stdin.toml, line 16") && message.contains("did you mean"),
+        "{message}"
     );
 }
 

@@ -94,7 +94,7 @@ impl Bench {
 
     /// What a line said that must end with a code, on a machine without other programs.
     pub(crate) fn expect(&self, code: i32, line: &str) -> String {
-        said(code, line, &self.output(line, &self.path("nothing")))
+        text_of(code, line, &self.output(line, &self.path("nothing")))
     }
 
     /// A line that must do its work.
@@ -104,23 +104,23 @@ impl Bench {
 
     /// What a line said that must end with a code, with all these parts in it.
     pub(crate) fn says(&self, code: i32, line: &str, parts: &[&str]) -> String {
-        let said = self.expect(code, line);
-        contains(&said, line, parts);
-        said
+        let text = self.expect(code, line);
+        contains(&text, line, parts);
+        text
     }
 
     /// A refusal: one message with all these parts.
     pub(crate) fn refuse(&self, line: &str, parts: &[&str]) {
-        let said = self.says(2, line, parts);
-        let is_one = said.contains("error: ") && said.matches("accepted:").count() <= 1;
-        assert!(is_one, "{line}: {said}");
+        let text = self.says(2, line, parts);
+        let is_one = text.contains("error: ") && text.matches("accepted:").count() <= 1;
+        assert!(is_one, "{line}: {text}");
     }
 
     /// Refusals: lines behind `$`, and what is said of each behind it, with … where words are left out.
     pub(crate) fn refuse_each(&self, transcript: &str) {
         for refusal in transcript.split("$ ").skip(1) {
-            let (line, said) = refusal.split_once('\n').unwrap();
-            let parts: Vec<&str> = said.split('…').map(str::trim).collect();
+            let (line, expected) = refusal.split_once('\n').unwrap();
+            let parts: Vec<&str> = expected.split('…').map(str::trim).collect();
             self.refuse(line, &parts);
         }
     }
@@ -135,29 +135,29 @@ impl Bench {
 
     /// The last line of a command with `--json`.
     pub(crate) fn json(&self, line: &str) -> Value {
-        let said = self.expect(0, &format!("{line} --json"));
-        let value: Value = serde_json::from_str(said.trim().lines().last().unwrap()).unwrap();
+        let text = self.expect(0, &format!("{line} --json"));
+        let value: Value = serde_json::from_str(text.trim().lines().last().unwrap()).unwrap();
         assert_eq!(value["event"], "done", "{line}");
         value
     }
 }
 
 /// All that a line said, which must have ended with a code; without line breaks and frames, unless it is JSON.
-pub(crate) fn said(code: i32, line: &str, output: &Output) -> String {
-    let said = String::from_utf8_lossy(&output.stdout).into_owned()
+pub(crate) fn text_of(code: i32, line: &str, output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stdout).into_owned()
         + &String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(code), "{line}: {said}");
-    if said.starts_with('{') {
-        return said;
+    assert_eq!(output.status.code(), Some(code), "{line}: {text}");
+    if text.starts_with('{') {
+        return text;
     }
-    let words = said.split_whitespace().filter(|word| *word != "│");
+    let words = text.split_whitespace().filter(|word| *word != "│");
     words.collect::<Vec<_>>().join(" ")
 }
 
 /// All these parts are in what a line said.
-pub(crate) fn contains(said: &str, line: &str, parts: &[&str]) {
+pub(crate) fn contains(text: &str, line: &str, parts: &[&str]) {
     for part in parts {
-        assert!(said.contains(part), "{line}: `{part}` is not in: {said}");
+        assert!(text.contains(part), "{line}: `{part}` is not in: {text}");
     }
 }
 
@@ -178,10 +178,10 @@ pub(crate) fn slipped<'s>(text: &str, line: &str, slip: &'s str) -> (String, Vec
         after += line;
     }
     assert!(text.contains(&before), "{before:?} is not in the text");
-    let said = slip
+    let expected = slip
         .lines()
         .filter(|line| !starts(line, &["- ", "+ ", "  ", "# "]));
-    let parts = said.flat_map(|line| line.split('…')).map(str::trim);
+    let parts = expected.flat_map(|line| line.split('…')).map(str::trim);
     let parts = parts.filter(|part| !part.is_empty());
     (text.replacen(&before, &after, 1), parts.collect())
 }

@@ -118,12 +118,12 @@ fn several_slips_are_told_in_one_run() {
         &JOB.replace("refractive_index", "ior")
             .replace("iterations", "iteratons"),
     )]);
-    let said = bench.ended(2, "check job.toml");
-    let said = String::from_utf8(said.stderr).unwrap();
-    let [first, second] = ["resin.ior", "stop.iteratons"].map(|key| said.find(key).unwrap());
+    let ended = bench.ended(2, "check job.toml");
+    let message = String::from_utf8(ended.stderr).unwrap();
+    let [first, second] = ["resin.ior", "stop.iteratons"].map(|key| message.find(key).unwrap());
     assert!(
-        first < second && said.contains("did you mean `refractive_index`?"),
-        "{said}"
+        first < second && message.contains("did you mean `refractive_index`?"),
+        "{message}"
     );
     let line = bench.ended(2, "check job.toml --json").stdout;
     let line: Value = serde_json::from_slice(&line).unwrap();
@@ -153,11 +153,11 @@ fn anybodys_arrays_are_measured() {
     assert_eq!(found["slices"].as_array().unwrap().len(), 1);
     near(&found["slices"][0]["pw"], 0.4);
     near(&published("ipdr"), 0.1);
-    let said = bench.says(0, "metrics dose.npy target.npy", &["as published:"]);
+    let output = bench.says(0, "metrics dose.npy target.npy", &["as published:"]);
     // Lengths in voxels are not called mm
     assert!(
-        said.contains(" hausdorff ") && !said.contains("_mm"),
-        "{said}"
+        output.contains(" hausdorff ") && !output.contains("_mm"),
+        "{output}"
     );
     assert_eq!(found["lengths_in"], "voxel");
     let (text, evaluation) = (found.to_string(), &found["evaluation"]);
@@ -187,8 +187,8 @@ fn anybodys_arrays_are_measured() {
     bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
     bench.write("mask.npy", &doubles("2, 2", &[0.0, 255.0, 255.0, 0.0]));
     bench.write("one.npy", &doubles("2, 2", &[0.0, 1.0, 1.0, 0.0]));
-    let of = |target: &str| bench.json(&format!("metrics dose.npy {target}"));
-    assert_eq!(of("mask.npy"), of("one.npy"));
+    let metrics_of = |target: &str| bench.json(&format!("metrics dose.npy {target}"));
+    assert_eq!(metrics_of("mask.npy"), metrics_of("one.npy"));
     bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
     bench.write("far.npy", &doubles("2, 2", &[0.2, 1e300, 0.9, 0.4]));
     bench.write("near.npy", &doubles("2, 2", &[2e-300, 8e-300, 0.0, 0.0]));
@@ -301,10 +301,10 @@ fn runs_are_compared_and_exported() {
         ("empty", "no report.json in it"),
         ("job.toml", "a file, not a folder"),
     ] {
-        let said = bench.expect(2, &format!("compare a {no_run}"));
-        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = bench.expect(2, &format!("compare a {no_run}"));
+        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         for part in [no_run, why, "accepted: the folder of a run"] {
-            assert!(said.contains(part), "{part}: {said}");
+            assert!(message.contains(part), "{part}: {message}");
         }
     }
     assert!(!bench.path("c").exists());
@@ -371,13 +371,13 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
             "matrix [voxels, pixels]",
         ),
     ] {
-        let said = bench.expect(2, &format!("run job.toml {job} --set {change}"));
-        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = bench.expect(2, &format!("run job.toml {job} --set {change}"));
+        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            said.contains("model.matrix.file")
-                && said.contains(wanted)
-                && !said.contains("optimizing"),
-            "{said}"
+            message.contains("model.matrix.file")
+                && message.contains(wanted)
+                && !message.contains("optimizing"),
+            "{message}"
         );
     }
     // Without --json the stages are told
@@ -479,8 +479,8 @@ fn light_that_is_no_ray_is_not_traced() {
         let line = format!(
             "trace job.toml --pixel 0,16,8 --set vial={{index_matched={{radius_mm=3.0}}}} --set model={{{model}={{}}}}"
         );
-        let said = bench.says(2, &line, &[&format!("model.{model}:")]);
-        assert!(said.contains("model={rays={}}"), "{said}");
+        let message = bench.says(2, &line, &[&format!("model.{model}:")]);
+        assert!(message.contains("model={rays={}}"), "{message}");
     }
 }
 
@@ -495,9 +495,9 @@ fn waves_have_no_matrix_and_light_that_spreads_says_how_large_its_is() {
     assert!(!bench.path("m.npz").exists());
     let small = "--set grid.shape=[4,4,2] --set grid.clip=true --set light.pixels=[32,16] --set light.angles=3";
     let line = format!("export-matrix {job} {small} --set model={{incoherent_cone={{}}}}");
-    let said = bench.expect(0, &line);
+    let output = bench.expect(0, &line);
     // 32 voxels, 1536 pixels
-    assert!(said.contains("4.92e4 entries"), "{said}");
+    assert!(output.contains("4.92e4 entries"), "{output}");
 }
 
 #[test]
@@ -573,7 +573,7 @@ fn a_part_of_the_projector_is_a_smaller_image_beside_the_axis() {
     let crop = "pixels = [32, 16]\nselection = { columns = [4, 26], rows = [1, 13] }";
     let mask = "pixels = [32, 16]\nselection.mask = \"mask.npy\"";
     // Columns 4 to 29 have their middle 0.1 mm beside that of 32, rows 1 to 13 theirs 0.05 mm above that of 16
-    let beside = "pixels = [26, 13]\noffset_mm = [0.1, 0.05]";
+    let small = "pixels = [26, 13]\noffset_mm = [0.1, 0.05]";
     // Pixels of twice the width lie otherwise in the smaller image, and so the lowest ceiling may be another
     let bound = "[bounds]\nceiling = \"start\"\n";
     for (model, tables) in [("parallel", ""), ("rays", "[model.rays]\n")] {
@@ -582,9 +582,9 @@ fn a_part_of_the_projector_is_a_smaller_image_beside_the_axis() {
             |name: &str, light: &str| wanted(&bench, &format!("{model}-{name}"), light, &tables);
         let cropped = run("crop", crop);
         assert_eq!(cropped, run("mask", mask));
-        let beside = run("beside", beside);
+        let smaller = run("beside", small);
         let most = cropped.iter().copied().fold(0.0, f32::max);
-        let mut inner = beside.iter();
+        let mut inner = smaller.iter();
         for (i, &value) in cropped.iter().enumerate() {
             if inside(i / 32 % 16, i % 32) {
                 let other = inner.next().unwrap();

@@ -24,8 +24,8 @@ fn card(bench: &Bench) -> Option<String> {
 
 /// A number of the evaluations on the card and on the processor.
 fn both(bench: &Bench, number: &str) -> [f64; 2] {
-    let of = |folder: &str| bench.report(folder)["evaluation"][number].as_f64();
-    ["card", "processor"].map(|folder| of(folder).unwrap())
+    let number_of = |folder: &str| bench.report(folder)["evaluation"][number].as_f64();
+    ["card", "processor"].map(|folder| number_of(folder).unwrap())
 }
 
 /// Runs a job on both; numbers of their evaluations differ by less, and the report names the model on the card.

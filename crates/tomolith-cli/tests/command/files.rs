@@ -1,6 +1,6 @@
 //! Files that other programs made: movies, frames, arrays, meshes.
 
-use crate::bench::{Bench, JOB, contains, npy, said};
+use crate::bench::{Bench, JOB, contains, npy, text_of};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;
@@ -87,7 +87,7 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
     bench.write("images.pgm", &images);
     let cat = format!("/bin/cat {}", bench.path("images.pgm").display());
     script(&cat);
-    said(0, line, &bench.output(line, &programs));
+    text_of(0, line, &bench.output(line, &programs));
     let shown = bench.shown("a");
     for i in [0, 1, 511, 512, 24 * 512 - 1] {
         let level = (i % 512 + i / 512) as u8;
@@ -113,7 +113,7 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
     ] {
         script(&body);
         contains(
-            &said(2, line, &bench.output(line, &programs)),
+            &text_of(2, line, &bench.output(line, &programs)),
             line,
             &[found],
         );
@@ -403,10 +403,10 @@ fn a_name_of_a_part_steers_no_terminal_and_is_never_too_long() {
     let name = format!("\\u001b[31m{}", "ü".repeat(124));
     let job = job.replacen("[target]", &format!("[target]\nname = \"{name}\""), 1);
     bench.write("named.toml", job.as_bytes());
-    let said = bench.expect(0, "run named.toml --output a");
+    let output = bench.expect(0, "run named.toml --output a");
     assert!(
-        said.contains("\\u{1b}[31m") && !said.contains('\u{1b}'),
-        "{said}"
+        output.contains("\\u{1b}[31m") && !output.contains('\u{1b}'),
+        "{output}"
     );
     let entries = fs::read_dir(bench.path("a")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());

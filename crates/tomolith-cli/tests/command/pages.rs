@@ -22,14 +22,17 @@ fn after<'a>(text: &'a str, mark: &'a str) -> impl Iterator<Item = &'a str> {
 }
 
 fn has_heading(page: &Path, anchor: &str) -> bool {
-    let kept = |c: &char| c.is_alphanumeric() || "-_".contains(*c);
-    let of = |line: &str| line.trim_start_matches('#').trim().to_lowercase();
+    let is_kept = |c: &char| c.is_alphanumeric() || "-_".contains(*c);
+    let title_of = |line: &str| line.trim_start_matches('#').trim().to_lowercase();
     let lines = read(page);
-    let mut titles = lines.lines().filter(|line| line.starts_with('#')).map(of);
+    let mut titles = lines
+        .lines()
+        .filter(|line| line.starts_with('#'))
+        .map(title_of);
     titles.any(|title| {
         anchor
             .chars()
-            .eq(title.replace(' ', "-").chars().filter(kept))
+            .eq(title.replace(' ', "-").chars().filter(is_kept))
     })
 }
 

@@ -176,8 +176,8 @@ fn a_spectrometer_gives_absorption_and_scattering() {
     let bench = Bench::new();
     // 0.12 and 0.31 per mm, with 0.04 of the cuvette: A = 0.04 + μ·L/ln 10
     let row = |path: f64| {
-        let of = |per_mm: f64| 0.04 + per_mm * path / std::f64::consts::LN_10;
-        format!("{path},{},{}\n", of(0.12), of(0.31))
+        let absorbance = |per_mm: f64| 0.04 + per_mm * path / std::f64::consts::LN_10;
+        format!("{path},{},{}\n", absorbance(0.12), absorbance(0.31))
     };
     let head = "path_mm,resin,with_particles\n";
     let rows: String = [2.0, 5.0, 10.0].map(row).concat();
@@ -198,10 +198,10 @@ fn a_spectrometer_gives_absorption_and_scattering() {
     near(&found["scattering"]["per_mm"], 0.1425, 1e-9);
 
     bench.write("clear.csv", "path_mm,resin\n10,0.5\n10,0.52\n");
-    let said = bench.expect(0, "calibrate absorbance clear.csv");
+    let output = bench.expect(0, "calibrate absorbance clear.csv");
     assert!(
-        said.contains("0.1174 ± 0.0023 per mm") && !said.contains("scattering"),
-        "{said}"
+        output.contains("0.1174 ± 0.0023 per mm") && !output.contains("scattering"),
+        "{output}"
     );
     bench.refuse_each(
         "$ calibrate absorbance clear.csv --albedo 1
@@ -464,8 +464,8 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
         60.0 / plan["rpm"].as_f64().unwrap(),
     );
     let within = format!("--critical-dose 0.8 --within-s {}", time - 0.5 * pass);
-    let said = bench.expect(2, &format!("expose a --irradiance 25 {within}"));
-    let advised = said.split("irradiance from ").nth(1).unwrap();
+    let message = bench.expect(2, &format!("expose a --irradiance 25 {within}"));
+    let advised = message.split("irradiance from ").nth(1).unwrap();
     let advised = advised.split_whitespace().next().unwrap();
     bench.done(&format!("expose a --irradiance {advised} {within}"));
     fs::remove_dir_all(bench.path("a/frames")).unwrap();

@@ -72,9 +72,9 @@ fn two_ranks_leave_the_folder_that_a_process_leaves() {
         text(&shared.stderr)
     );
     // One rank speaks
-    let said = text(&shared.stdout);
-    assert_eq!(said.matches("\"event\":\"done\"").count(), 1, "{said}");
-    assert!(said.contains("2 ranks"), "{said}");
+    let output = text(&shared.stdout);
+    assert_eq!(output.matches("\"event\":\"done\"").count(), 1, "{output}");
+    assert!(output.contains("2 ranks"), "{output}");
     let names = |folder: &str| {
         let entries = fs::read_dir(bench.path(folder)).unwrap();
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
@@ -97,8 +97,12 @@ fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
         .output()
         .unwrap();
     assert_eq!(refused.status.code(), Some(2));
-    let said = text(&refused.stderr);
-    assert_eq!(said.matches("2 angles for 3 ranks").count(), 1, "{said}");
+    let message = text(&refused.stderr);
+    assert_eq!(
+        message.matches("2 angles for 3 ranks").count(),
+        1,
+        "{message}"
+    );
     assert!(!bench.path("out").exists());
     let refused = bench
         .on_ranks(2, "sweep sweep.toml --shard 1/2")
@@ -125,8 +129,8 @@ fn ranks_take_shares_of_a_sweep_and_leave_its_table() {
         "{}",
         text(&shared.stderr)
     );
-    let said = text(&shared.stdout);
-    assert_eq!(said.matches("3 of 3 runs done").count(), 1, "{said}");
+    let output = text(&shared.stdout);
+    assert_eq!(output.matches("3 of 3 runs done").count(), 1, "{output}");
     let table = |name: &str| bench.read(&format!("{name}/table.csv"));
     assert_eq!(table("alone"), table("shared"));
 }
@@ -139,8 +143,8 @@ fn process_of(rank: usize, folder: &str) -> Option<String> {
         let (Ok(words), Ok(variables)) = (read("cmdline"), read("environ")) else {
             return false;
         };
-        let own = format!("OMPI_COMM_WORLD_RANK={rank}");
-        words.contains(folder) && variables.split('\0').any(|v| v == own)
+        let variable = format!("OMPI_COMM_WORLD_RANK={rank}");
+        words.contains(folder) && variables.split('\0').any(|v| v == variable)
     };
     let found = entries.flatten().find(|entry| is_rank(&entry.path()))?;
     Some(found.file_name().to_string_lossy().into_owned())
@@ -170,14 +174,14 @@ fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
     assert!(killed.success());
     let ended = job.wait().unwrap();
     assert!(!ended.success());
-    let mut said = String::new();
-    std::io::Read::read_to_string(&mut job.stderr.take().unwrap(), &mut said).unwrap();
-    assert!(said.contains("rank 1"), "{said}");
+    let mut message = String::new();
+    std::io::Read::read_to_string(&mut job.stderr.take().unwrap(), &mut message).unwrap();
+    assert!(message.contains("rank 1"), "{message}");
     let resumed = bench
         .command("run job.toml --resume -o killed")
         .output()
         .unwrap();
-    let said = text(&resumed.stderr);
-    assert_eq!(resumed.status.code(), Some(0), "{said}");
-    assert!(said.contains("resuming after iteration"), "{said}");
+    let message = text(&resumed.stderr);
+    assert_eq!(resumed.status.code(), Some(0), "{message}");
+    assert!(message.contains("resuming after iteration"), "{message}");
 }

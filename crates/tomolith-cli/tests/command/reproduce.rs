@@ -94,14 +94,14 @@ fn bench_of(study: &str) -> Bench {
 fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
     let bench = bench_of(STUDY);
     // What it costs is said without any work
-    let said = bench.events(0, "reproduce disc --quick --check --json");
+    let events = bench.events(0, "reproduce disc --quick --check --json");
     assert_eq!(
-        (said.len(), said[0]["runs"][0]["runs"].as_u64()),
+        (events.len(), events[0]["runs"][0]["runs"].as_u64()),
         (1, Some(2))
     );
     assert!(!bench.path("out").exists());
-    let said = bench.events(0, "reproduce disc --quick --json");
-    let rows = said[said.len() - 1]["rows"].as_array().unwrap();
+    let events = bench.events(0, "reproduce disc --quick --json");
+    let rows = events[events.len() - 1]["rows"].as_array().unwrap();
     assert_eq!(rows[1]["published"], 7.0);
     assert_eq!(rows[5]["published"], "fair");
     let verdicts: Vec<&str> = rows
@@ -198,12 +198,12 @@ fn refused(study: &str, parts: &[&str]) {
         let bench = bench_of(study);
         let message = bench.stdout(2, &format!("{line} --json"));
         let error: Value = serde_json::from_str(message.trim()).unwrap();
-        let said = format!(
+        let text = format!(
             "{error} {}:{}:",
             error["file"].as_str().unwrap_or(""),
             error["line"]
         );
-        contains(&said, line, parts);
+        contains(&text, line, parts);
         assert!(!bench.path("out").exists(), "{study}");
     }
 }
@@ -244,12 +244,12 @@ fn commands_that_cannot_work_are_refused_before_any_work() {
 
 #[test]
 fn figures_lay_the_histograms_of_runs_side_by_side() {
-    let figure = |histogram: &str, of: &str| {
+    let figure = |histogram: &str, run: &str| {
         format!(
-            "{STUDY}\n[[figures]]\nname = \"doses\"\ntitle = \"Doses\"\nhistogram = \"{histogram}\"\npanels = [{{ of = \"{of}\" }}]\n"
+            "{STUDY}\n[[figures]]\nname = \"doses\"\ntitle = \"Doses\"\nhistogram = \"{histogram}\"\npanels = [{{ of = \"{run}\" }}]\n"
         )
     };
-    for (histogram, of, parts) in [
+    for (histogram, run, parts) in [
         (
             "optimization.iou",
             "map",
@@ -264,7 +264,7 @@ fn figures_lay_the_histograms_of_runs_side_by_side() {
             ],
         ),
     ] {
-        refused(&figure(histogram, of), &parts);
+        refused(&figure(histogram, run), &parts);
     }
     let bench = bench_of(&figure("optimization.histogram", "map"));
     bench.done("reproduce disc --quick --json");
@@ -288,8 +288,8 @@ fn results_do_not_lie_among_files_of_the_study() {
     for output in ["map/disc", "map/../map/disc/", "link", "."] {
         let line = format!("reproduce map/disc --quick --output {output}");
         for line in [format!("{line} --check"), line] {
-            let said = bench.says(2, &line, &["--output: results in `"]);
-            assert!(said.contains("map/disc/study.toml`"), "{said}");
+            let message = bench.says(2, &line, &["--output: results in `"]);
+            assert!(message.contains("map/disc/study.toml`"), "{message}");
         }
         assert!(!bench.path("map/disc/map").exists());
     }
@@ -324,9 +324,9 @@ fn a_command_is_left_out_with_the_run_whose_folder_it_reads() {
         true,
     );
     let bench = bench_of(&study.replace("quick = { axes", "quick = { skip = true, axes"));
-    let said = bench.events(0, "reproduce disc --quick --check --json");
+    let events = bench.events(0, "reproduce disc --quick --check --json");
     assert_eq!(
-        said[0]["runs"][1]["left_out"],
+        events[0]["runs"][1]["left_out"],
         "needs run `map`: full size only"
     );
 }

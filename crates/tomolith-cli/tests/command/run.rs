@@ -62,8 +62,8 @@ fn assert_same_bits(folder: &Path, expected: &BTreeMap<String, Vec<u8>>, when: &
 #[test]
 fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     let bench = bench();
-    let said = bench.stdout(0, "run job.toml");
-    assert!(said.contains("written, turning"), "{said}");
+    let output = bench.stdout(0, "run job.toml");
+    assert!(output.contains("written, turning"), "{output}");
     let run = bench.path("out/job");
     for name in ["job.toml", "history.csv", "report.json", "report.html"] {
         assert!(run.join(name).metadata().unwrap().len() > 100, "{name}");
@@ -107,19 +107,19 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         let line = format!("# Model of the {stage}: parallel (");
         assert!(job.contains(&line), "{line} is not in\n{job}");
     }
-    says_how_to_expose_and_what_limits(&report, &said);
+    says_how_to_expose_and_what_limits(&report, &output);
     let ply = fs::read(run.join("print.ply")).unwrap();
     assert!(ply.windows(12).any(|w| w == b"deviation_um"));
     let place = &report["evaluation"]["farthest"];
     assert!(place["at_xyz_mm"][2].is_f64() && place["side"].is_string());
 
-    let said = bench.stdout(
+    let output = bench.stdout(
         0,
         "simulate job.toml --patterns out/job/patterns.npz --output again",
     );
     assert!(
-        said.contains("unwritten, on the job's grid") && !said.contains("optimiz"),
-        "{said}"
+        output.contains("unwritten, on the job's grid") && !output.contains("optimiz"),
+        "{output}"
     );
     // A run folder stands for its patterns.npz
     bench.done("simulate job.toml --patterns out/job --output folder");
@@ -147,14 +147,17 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
 }
 
 /// The best exposure and the limits of a print, in its report and on the screen.
-fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
+fn says_how_to_expose_and_what_limits(report: &Value, output: &str) {
     let exposure = &report["exposure"];
-    let number = |of: &str, end: &str| exposure[of][end].as_f64().unwrap();
+    let number = |quantity: &str, end: &str| exposure[quantity][end].as_f64().unwrap();
     assert_eq!(exposure["measure"], "iou");
     assert_eq!(exposure["best"], report["evaluation"]["iou"]);
     assert_eq!(number("dose", "best"), number("threshold", "best"));
-    for of in ["dose", "threshold", "percent"] {
-        assert!(number(of, "low") < number(of, "best") && number(of, "best") < number(of, "high"));
+    for quantity in ["dose", "threshold", "percent"] {
+        assert!(
+            number(quantity, "low") < number(quantity, "best")
+                && number(quantity, "best") < number(quantity, "high")
+        );
     }
     let product = number("percent", "low") * number("dose", "high");
     assert!((product - 100.0 * number("dose", "best")).abs() < 1e-6);
@@ -182,7 +185,7 @@ fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
     assert!((losses.iter().sum::<f64>() - missing).abs() < 1e-9);
     let key = limits[0]["key"].as_str().unwrap();
     let gels = "At the best exposure resin gels at a dose of ";
-    contains(said, "", &["Predicted IoU ", &format!("`{key}`."), gels]);
+    contains(output, "", &["Predicted IoU ", &format!("`{key}`."), gels]);
     assert!(
         !report["warnings"].to_string().contains("IoU"),
         "said twice"
@@ -195,23 +198,23 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
     // Steps too long for a low threshold: the loss falls from step 2 to 3, the print is best after the first
     let set = "--set optimizer.cal.learning_rate=0.5 --set optimizer.cal.momentum=0.5 --set optimizer.cal.d_h=0.4";
     let line = "iteration 1 of 6 (best IoU on the job's voxels)";
-    let said = bench.stdout(0, &format!("run job.toml {set} --output best"));
-    assert!(said.contains(line), "{said}");
+    let output = bench.stdout(0, &format!("run job.toml {set} --output best"));
+    assert!(output.contains(line), "{output}");
     let report = bench.report("best");
-    let kept = |report: &Value| report["history"]["kept"].clone();
+    let iterate_of = |report: &Value| report["history"]["kept"].clone();
     let expected = serde_json::json!({ "iteration": 1, "by": "print" });
-    assert_eq!(kept(&report), expected);
+    assert_eq!(iterate_of(&report), expected);
     assert!(report["optimization"]["iou"].as_f64().unwrap() > 0.88);
     let page = bench.read("best/report.html");
     assert!(page.contains("iteration 1 of 6"));
 
-    let said = bench.stdout(
+    let output = bench.stdout(
         0,
         &format!("run job.toml {set} --set stop.keep=last --output last"),
     );
-    assert!(!said.contains("kept"), "{said}");
+    assert!(!output.contains("kept"), "{output}");
     let report = bench.report("last");
-    assert_eq!(kept(&report)["iteration"], 6);
+    assert_eq!(iterate_of(&report)["iteration"], 6);
     assert!(report["optimization"]["iou"].as_f64().unwrap() < 0.8);
 }
 
@@ -220,16 +223,16 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     let bench = bench();
     let whole = "--set objective.threshold.surface=voxel";
     let run = |folder: &str, more: &str| {
-        let said = bench.stdout(
+        let output = bench.stdout(
             0,
             &format!(
                 "run job.toml --json --set evaluate.bit_depth=1 {whole} {more} --output {folder}"
             ),
         );
-        (said, bench.report(folder))
+        (output, bench.report(folder))
     };
-    let (said, report) = run("few", "--set evaluate.levels=optimized");
-    assert!(said.contains("bit depth 1: loss"), "{said}");
+    let (output, report) = run("few", "--set evaluate.levels=optimized");
+    assert!(output.contains("bit depth 1: loss"), "{output}");
     let (_, rounded) = run("rounded", "--set evaluate.levels=rounded");
     assert!(rounded["levels"].is_null());
     let number = |v: &Value| v.as_f64().unwrap();
@@ -237,8 +240,8 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
     assert!(number(&gain["loss"]) <= number(&gain["diffused_loss"]));
     assert!(
-        said.contains("by error diffusion over neighboring frames"),
-        "{said}"
+        output.contains("by error diffusion over neighboring frames"),
+        "{output}"
     );
     assert!(number(&gain["calls"]) <= 78.0);
     assert_ne!(report["evaluation"], rounded["evaluation"]);
@@ -261,8 +264,8 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     simulate("few", "");
     // A machine with pixels of its own makes the same light of what it was asked for
     let machine = "--set printer.canvas=[60,30] --set printer.pixel_pitch_mm=0.08";
-    let (said, report) = run("machine", machine);
-    assert!(said.contains("bit depth 1: loss"), "{said}");
+    let (output, report) = run("machine", machine);
+    assert!(output.contains("bit depth 1: loss"), "{output}");
     let gain = &report["levels"];
     assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
     simulate("machine", machine);
@@ -342,8 +345,11 @@ fn every_species_must_have_the_quality_that_is_asked() {
 fn json_lines_and_silence_are_kept() {
     let bench = bench();
     let events = bench.events(0, "run job.toml --json");
-    let of = |name: &str| events.iter().filter(|e| e["event"] == name).count();
-    assert!(of("stage") >= 4 && of("iteration") >= 2, "{events:?}");
+    let count_of = |name: &str| events.iter().filter(|e| e["event"] == name).count();
+    assert!(
+        count_of("stage") >= 4 && count_of("iteration") >= 2,
+        "{events:?}"
+    );
     assert_eq!(events.last().unwrap()["event"], "done");
     let losses: Vec<f64> = events.iter().filter_map(|e| e["loss"].as_f64()).collect();
     assert!(
@@ -650,11 +656,11 @@ fn check_tells_the_plan_and_changes_nothing() {
     let plan = bench.json("check job.toml");
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
     let of_time = |bound: &str| {
-        let said = bench.stdout(0, &format!("check job.toml --set {bound}"));
-        let searches = said.contains("the run looks for the lowest ceiling of the pixels");
+        let output = bench.stdout(0, &format!("check job.toml --set {bound}"));
+        let searches = output.contains("the run looks for the lowest ceiling of the pixels");
         let [iterations, time] =
             ["takes as long as some ", "M/t is at most about "].map(|before| {
-                let after = said.split_once(before)?.1;
+                let after = output.split_once(before)?.1;
                 after.split_once(' ')?.0.parse::<f64>().ok()
             });
         (searches, iterations.is_some_and(|n| n >= 1.0), time)
@@ -664,8 +670,8 @@ fn check_tells_the_plan_and_changes_nothing() {
     // The threshold objective asks for doses below 0.7 or above 0.9
     assert_eq!(of_time("bounds.max=0.2"), (false, false, Some(0.25)));
     // Light of ±1 mm enters a vial of index 1.5 in air: tangent up to 0.67 mm only
-    let said = bench.stdout(0, "check job.toml --set light.pixels=[20,24]");
-    assert!(said.contains("not lit from all sides"), "{said}");
+    let output = bench.stdout(0, "check job.toml --set light.pixels=[20,24]");
+    assert!(output.contains("not lit from all sides"), "{output}");
 }
 
 #[test]
@@ -771,10 +777,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
             assert_eq!(report["evaluation"]["sub_angles"], 1, "{settings}");
         }
         let warnings = report["warnings"].as_array().unwrap();
-        let told = warnings
+        let is_warned = warnings
             .iter()
             .any(|text| text.as_str().unwrap().contains(part));
-        assert!(told, "{settings}: {warnings:?}");
+        assert!(is_warned, "{settings}: {warnings:?}");
     }
     let plain = bench.ended(0, "run job.toml --output plain");
     let message = String::from_utf8_lossy(&plain.stderr);
@@ -794,9 +800,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
 #[test]
 fn a_worst_case_without_cases_is_told() {
     let bench = bench();
-    let told = "robust.of = \"worst\" changes nothing without a [[scenario]]";
-    let of = |value: &str| bench.expect(0, &format!("check job.toml --set robust.of={value}"));
-    assert!(of("worst").contains(told) && !of("mean").contains("robust"));
+    let warning = "robust.of = \"worst\" changes nothing without a [[scenario]]";
+    let output_of =
+        |value: &str| bench.expect(0, &format!("check job.toml --set robust.of={value}"));
+    assert!(output_of("worst").contains(warning) && !output_of("mean").contains("robust"));
 }
 
 #[test]
@@ -818,10 +825,10 @@ fn the_closing_lines_say_on_which_voxels() {
     );
     let page = bench.read("b/report.html");
     assert!(page.contains(" on voxels of 300 µm: ") && page.contains("[\"A toy\","));
-    let said = bench.stdout(0, "run job.toml --output d --toy --keep metrics");
+    let output = bench.stdout(0, "run job.toml --output d --toy --keep metrics");
     assert!(
-        said.contains("d/report.json") && !said.contains("report.html"),
-        "{said}"
+        output.contains("d/report.json") && !output.contains("report.html"),
+        "{output}"
     );
     let done = bench.json("run job.toml --output c --toy");
     assert_eq!(done["refine"], 2);
@@ -854,8 +861,8 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
         let run = bench.ended(0, &format!("run job.toml --output {folder} {settings}"));
         let message = String::from_utf8_lossy(&run.stderr);
         let check = bench.stdout(0, &format!("check job.toml {settings}"));
-        for said in [&*message, &*check] {
-            assert_eq!(said.contains(note), place != 0.0, "{folder}: {said}");
+        for text in [&*message, &*check] {
+            assert_eq!(text.contains(note), place != 0.0, "{folder}: {text}");
         }
         // The lowest of 18 slices stands 8.5 of them below the middle
         assert!(

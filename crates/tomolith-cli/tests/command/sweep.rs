@@ -1,6 +1,6 @@
 //! `tomolith sweep` as it is typed: killed and called again, as a list of commands, and what it says.
 
-use crate::bench::{Bench, contains, said};
+use crate::bench::{Bench, contains, text_of};
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
@@ -112,29 +112,29 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
     );
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
     let parts = ["folder: `out` holds the sweep", "(from --output out)"];
-    let said = bench.says(2, "sweep sweep.toml --output out", &parts);
-    assert!(!said.contains("sweep.toml:1:"), "{said}");
+    let message = bench.says(2, "sweep sweep.toml --output out", &parts);
+    assert!(!message.contains("sweep.toml:1:"), "{message}");
 }
 
 #[cfg(not(feature = "mpi"))]
 #[test]
 fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_not() {
     let bench = Bench::with(&[("job.toml", JOB), ("sweep.toml", SWEEP)]);
-    let said = |line: &str| {
+    let message_of = |line: &str| {
         let mut command = bench.command(line);
         let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
         assert!(output.status.success(), "{line}");
         String::from_utf8(output.stderr).unwrap()
     };
-    let told = "one of 2 processes of a launcher";
-    assert!(said("run job.toml --toy").contains(told));
-    let whole = said("sweep sweep.toml");
+    let warning = "one of 2 processes of a launcher";
+    assert!(message_of("run job.toml --toy").contains(warning));
+    let whole = message_of("sweep sweep.toml");
     // Runs are told by what ranks them
     assert!(
-        whole.contains(told) && whole.contains("  evaluation.iou "),
+        whole.contains(warning) && whole.contains("  evaluation.iou "),
         "{whole}"
     );
-    assert!(!said("sweep sweep.toml --shard 1/2").contains(told));
+    assert!(!message_of("sweep sweep.toml --shard 1/2").contains(warning));
 }
 
 #[test]
@@ -150,7 +150,7 @@ fn processes_of_a_launcher_that_would_write_the_same_files_are_refused() {
     ] {
         let mut command = bench.command(line);
         let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
-        let message = said(2, line, &output);
+        let message = text_of(2, line, &output);
         contains(&message, line, &["one of 2 processes of a launcher"]);
     }
 }
@@ -160,7 +160,7 @@ fn instructions_that_no_machine_has_are_refused() {
     let bench = Bench::with(&[("job.toml", JOB)]);
     let mut command = bench.command("check job.toml");
     let output = command.env("TOMOLITH_ISA", "AVX2").output().unwrap();
-    let message = said(2, "", &output);
+    let message = text_of(2, "", &output);
     contains(&message, "", &["TOMOLITH_ISA: found \"AVX2\"", "scalar"]);
 }
 

@@ -241,14 +241,14 @@ fn what_cannot_be_served_is_refused_before() {
     bench.done("run job.toml --quiet --output a --toy");
     let listener = std::net::TcpListener::bind(("127.0.0.1", 0)).unwrap();
     let taken = listener.local_addr().unwrap().port();
-    for (line, said) in [
+    for (line, message) in [
         ("view missing", "there is no such folder"),
         ("view job.toml", "a file, not a folder"),
         (&format!("view a --port {taken}"), "--port"),
         ("run job.toml -o b --port 8080", "without `--open`"),
         ("run job.toml job.toml --open", "one job"),
     ] {
-        bench.refuse(&format!("{line} --no-browser"), &[said]);
+        bench.refuse(&format!("{line} --no-browser"), &[message]);
     }
     bench.write("a/report.html", "<html>an earlier version");
     bench.refuse(
@@ -306,15 +306,15 @@ fn events(served: &Served) -> impl Iterator<Item = Value> + Send + use<> {
 
 /// Events until one of a kind.
 fn until(events: &mut impl Iterator<Item = Value>, kind: &str) -> Vec<Value> {
-    let mut told = Vec::new();
+    let mut seen = Vec::new();
     for event in events {
         let is_last = event["type"] == kind || event["states"][0] == kind;
-        told.push(event);
+        seen.push(event);
         if is_last {
-            return told;
+            return seen;
         }
     }
-    panic!("{kind} did not come: {told:?}")
+    panic!("{kind} did not come: {seen:?}")
 }
 
 #[test]
@@ -364,8 +364,8 @@ fn the_page_hears_why_a_run_failed() {
     let _ = until(&mut events, "iteration");
     fs::remove_dir_all(bench.path("a")).unwrap();
     bench.write("a", "no folder");
-    let told = until(&mut events, "failed");
-    let message = told.last().unwrap()["message"].as_str().unwrap();
+    let seen = until(&mut events, "failed");
+    let message = seen.last().unwrap()["message"].as_str().unwrap();
     assert!(message.contains("a/"), "{message}");
     assert_eq!(events.next(), None, "nothing follows");
     assert_eq!(served.child.wait().unwrap().code(), Some(2));
@@ -393,8 +393,8 @@ fn the_page_can_stop_a_run() {
     );
     assert_eq!(served.get("run/0/volume/labels0").0, 200);
     assert_eq!(served.post("cancel/0"), 202);
-    let told = until(&mut events, "canceled");
-    let last = told.last().unwrap()["message"].as_str().unwrap();
+    let seen = until(&mut events, "canceled");
+    let last = seen.last().unwrap()["message"].as_str().unwrap();
     assert!(
         last.contains("canceled") && last.contains("--resume"),
         "{last}"

@@ -12,21 +12,21 @@ pub(super) fn warnings(runs: &[ComparedRun]) -> Vec<String> {
     let differ = |what: &dyn Fn(&ComparedRun) -> String| {
         runs.iter().map(what).collect::<BTreeSet<_>>().len() > 1
     };
-    let mut said = Vec::new();
+    let mut warnings = Vec::new();
     if differ(&|run| run.report["part"].to_string()) {
-        said.push("The runs print parts of different names.".to_owned());
+        warnings.push("The runs print parts of different names.".to_owned());
     }
     if differ(&|run| run.report["evaluation"]["grid"].to_string()) {
-        said.push("The runs were evaluated on different voxels: distances and error rates depend on them.".to_owned());
+        warnings.push("The runs were evaluated on different voxels: distances and error rates depend on them.".to_owned());
     }
     for run in runs.iter().filter(|run| !prints(run)) {
-        said.push(format!(
+        warnings.push(format!(
             "Nothing of the part turns solid in {}: none of its numbers is marked as the best.",
             run.name
         ));
     }
     if differ(&|run| run.job.get("objective").cloned().unwrap_or_default() + &objective(run)) {
-        said.push(
+        warnings.push(
             "The runs minimize different losses, whose numbers cannot be compared.".to_owned(),
         );
     }
@@ -34,9 +34,9 @@ pub(super) fn warnings(runs: &[ComparedRun]) -> Vec<String> {
         .iter()
         .map(|run| &run.report["evaluation"]["iou_curve"]);
     if curves.any(Value::is_null) {
-        said.push("Reports of earlier versions hold no curves: run `tomolith simulate` on their patterns to get them.".to_owned());
+        warnings.push("Reports of earlier versions hold no curves: run `tomolith simulate` on their patterns to get them.".to_owned());
     }
-    said
+    warnings
 }
 
 /// The keys of a run that say what is minimized.

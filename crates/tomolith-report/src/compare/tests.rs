@@ -64,16 +64,16 @@ fn nothing_is_best_of_a_run_that_prints_nothing_or_beside_another_model() {
     let compare = |runs: &[ComparedRun]| compare_page(runs).unwrap().data["compare"].clone();
     assert_eq!(compare(&runs)["prints"], json!([true, true]));
     runs[1].report["evaluation"]["part"] = json!({ "max": 0.0 });
-    let said = compare(&runs);
-    assert_eq!(said["prints"], json!([true, false]));
-    assert_eq!(said["marks_best"], true);
-    let warnings = said["warnings"].to_string();
+    let compared = compare(&runs);
+    assert_eq!(compared["prints"], json!([true, false]));
+    assert_eq!(compared["marks_best"], true);
+    let warnings = compared["warnings"].to_string();
     tomolith_core::contains!(warnings, "Nothing of the part turns solid in dark");
     let alone = "2 species by 2 lights, each alone: parallel (distance-driven kernel)";
     runs[1].report["run"] = json!({ "models": { "evaluation": alone } });
-    let said = compare(&runs);
-    assert_eq!(said["models"], json!([null, "parallel"]));
-    assert_eq!(said["marks_best"], false);
+    let compared = compare(&runs);
+    assert_eq!(compared["models"], json!([null, "parallel"]));
+    assert_eq!(compared["marks_best"], false);
 }
 
 #[test]
@@ -101,11 +101,11 @@ fn scenarios_have_rows_in_runs_that_have_them() {
         "worst_iou": 0.93, "window": -0.03, "rows": [row("the job", 0.98), row("pale", 0.93)]
     });
     let json = compare_json(&runs);
-    let of = |key: &str| values_of(&json, key);
-    assert_eq!(of("worst_iou"), json!([0.91, 0.93, null]));
-    assert_eq!(of("scenarios_pw"), json!([-0.02, -0.03, null]));
-    assert_eq!(of("iou_in_wide_vial"), json!([0.91, null, null]));
-    assert_eq!(of("iou_in_pale"), json!([null, 0.93, null]));
+    let row_of = |key: &str| values_of(&json, key);
+    assert_eq!(row_of("worst_iou"), json!([0.91, 0.93, null]));
+    assert_eq!(row_of("scenarios_pw"), json!([-0.02, -0.03, null]));
+    assert_eq!(row_of("iou_in_wide_vial"), json!([0.91, null, null]));
+    assert_eq!(row_of("iou_in_pale"), json!([null, 0.93, null]));
 }
 
 #[test]

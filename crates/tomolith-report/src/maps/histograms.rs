@@ -100,12 +100,12 @@ pub fn joined(
 pub fn histograms(title: &str, x: &str, panels: &[HistogramPanel], caption: &str) -> String {
     let shown = extent(panels);
     let shares = |panel: &HistogramPanel| {
-        let of = |(_, counts): &(String, Vec<f64>)| {
+        let percent_of = |(_, counts): &(String, Vec<f64>)| {
             let (ends, joined) = joined(panel.range, counts, shown, BINS);
             let percent = joined.iter().map(|n| 100.0 * n / panel.all());
             (ends, percent.collect::<Vec<f64>>())
         };
-        panel.series.iter().map(of).collect::<Vec<_>>()
+        panel.series.iter().map(percent_of).collect::<Vec<_>>()
     };
     let drawn: Vec<_> = panels.iter().map(shares).collect();
     let heights = || {
@@ -175,8 +175,8 @@ fn draw(
     }
     frame.title(body, &panel.title);
     let below = Ticks::level(placed(x, (frame.width / 60.0) as usize));
-    let beside = placed(y, (frame.height / 30.0) as usize);
-    frame.axes(body, [&x.label, "voxels per bin, %"], &below, &beside);
+    let left = placed(y, (frame.height / 30.0) as usize);
+    frame.axes(body, [&x.label, "voxels per bin, %"], &below, &left);
 }
 
 #[cfg(test)]

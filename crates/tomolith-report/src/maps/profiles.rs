@@ -62,8 +62,8 @@ fn draw(body: &mut String, frame: &Frame, panel: &ProfilePanel, [x, y]: &[Axis; 
     }
     frame.title(body, &panel.title);
     let below = Ticks::level(placed(x, (frame.width / 60.0) as usize));
-    let beside = placed(y, (frame.height / 30.0) as usize);
-    frame.axes(body, [&x.label, &y.label], &below, &beside);
+    let left = placed(y, (frame.height / 30.0) as usize);
+    frame.axes(body, [&x.label, &y.label], &below, &left);
 }
 
 #[cfg(test)]

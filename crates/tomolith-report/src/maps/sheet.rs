@@ -165,8 +165,8 @@ pub(super) fn shortened(text: &str, most: usize) -> String {
     if letters.len() <= most {
         return text.to_owned();
     }
-    let kept = most.saturating_sub(1);
-    let (head, tail) = (kept.div_ceil(2), kept / 2);
+    let room = most.saturating_sub(1);
+    let (head, tail) = (room.div_ceil(2), room / 2);
     let tail = &letters[letters.len() - tail..];
     letters[..head].iter().chain(&['…']).chain(tail).collect()
 }

@@ -62,11 +62,11 @@ pub(super) fn reduced_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
     }
 }
 
-/// What `of` makes of each block of `factor`³ voxels, in the order of the array. It gets the positions of the block's rows.
+/// What `reduce` makes of each block of `factor`³ voxels, in the order of the array. It gets the positions of the block's rows.
 pub(super) fn blocks<T: Send>(
     grid: &VolumeGrid,
     factor: usize,
-    of: impl Fn(&[Range<usize>]) -> T + Sync,
+    reduce: impl Fn(&[Range<usize>]) -> T + Sync,
 ) -> Vec<T> {
     let [nz, ny, nx] = grid.shape;
     let part = |i: usize, n: usize| i * factor..((i + 1) * factor).min(n);
@@ -83,7 +83,7 @@ pub(super) fn blocks<T: Send>(
                         rows.push(row + across.start..row + across.end);
                     }
                 }
-                found.push(of(&rows));
+                found.push(reduce(&rows));
             }
         }
         found
@@ -161,16 +161,16 @@ impl Film {
         while pixels(every, binned) > most && binned < rows.max(columns) {
             binned += 1;
         }
-        let kept: Vec<usize> = (0..frames).step_by(every).collect();
+        let shown: Vec<usize> = (0..frames).step_by(every).collect();
         let per_code = if white > 0.0 { 255.0 / white } else { 0.0 };
-        let codes: Vec<Vec<u8>> = (kept.iter()).par_map(|&k| {
+        let codes: Vec<Vec<u8>> = (shown.iter()).par_map(|&k| {
             let slice = VolumeGrid::centered([1, rows, columns], 1.0);
             let code = |mean: f32| (mean * per_code).round().clamp(0.0, 255.0) as u8;
             let frame = patterns.frame(k);
             means(&slice, frame, binned).into_iter().map(code).collect()
         });
         Film {
-            frames: kept,
+            frames: shown,
             rows: rows.div_ceil(binned),
             columns: columns.div_ceil(binned),
             binned,

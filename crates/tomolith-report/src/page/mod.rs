@@ -235,7 +235,7 @@ const FILM_PIXELS: usize = 3_000_000;
 
 fn films<'a>(data: &ReportData<'a>, blobs: &mut Vec<(String, String)>) -> Vec<FilmInfo<'a>> {
     let most = FILM_PIXELS / data.lights.len().max(1);
-    let of = |(i, light): (usize, &crate::LightReport<'a>)| {
+    let film_of = |(i, light): (usize, &crate::LightReport<'a>)| {
         let grid = &light.patterns.grid;
         let film = Film::of(light.patterns, light.full_scale, most);
         let id = format!("film{i}");
@@ -256,7 +256,7 @@ fn films<'a>(data: &ReportData<'a>, blobs: &mut Vec<(String, String)>) -> Vec<Fi
             pitch_mm: grid.pitch_mm,
         }
     };
-    data.lights.iter().enumerate().map(of).collect()
+    data.lights.iter().enumerate().map(film_of).collect()
 }
 
 /// Corners of a surface that a page holds, at most: 14 bytes each, and 24 of its two triangles, before they are packed.
@@ -276,11 +276,11 @@ fn surface(deviation: &Deviation, blobs: &mut Vec<(String, String)>) -> SurfaceI
     } else {
         &[]
     };
-    let end = |of: fn(f32, f32) -> f32, from: f32| -> [f32; 3] {
+    let end = |pick: fn(f32, f32) -> f32, from: f32| -> [f32; 3] {
         std::array::from_fn(|axis| {
             corners
                 .iter()
-                .fold(from, |end, corner| of(end, corner[axis]))
+                .fold(from, |end, corner| pick(end, corner[axis]))
         })
     };
     let (low, high) = match corners.is_empty() {
@@ -431,7 +431,7 @@ pub(crate) fn made_as(kind: &str) -> String {
 pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
     let mut blobs = Vec::new();
     let most = MOST_BYTES / runs.len().max(1);
-    let of = |(i, run): (usize, &ComparedRun)| {
+    let run_of = |(i, run): (usize, &ComparedRun)| {
         let first = run.page.as_ref().map(|page| &page.data["runs"][0]);
         let texts = first.map_or(Value::Null, |first| first["texts"].clone());
         let mut infos = Vec::new();
@@ -451,7 +451,7 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
         data["volumes"] = infos.into();
         Ok(data)
     };
-    let all = runs.iter().enumerate().map(of).collect::<Result<_>>()?;
+    let all = runs.iter().enumerate().map(run_of).collect::<Result<_>>()?;
     Ok((all, blobs))
 }
 

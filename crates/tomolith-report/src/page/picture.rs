@@ -60,8 +60,8 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         let is_obstacle = data.bodies.is_some_and(|b| b.values[*i] == OBSTACLE);
         data.labels.values[*i] != label::OUTSIDE && !is_obstacle
     };
-    let shade = |voxels: &mut dyn Iterator<Item = usize>, of: &dyn Fn(usize) -> f64| {
-        let counted = voxels.filter(is_resin).map(of);
+    let shade = |voxels: &mut dyn Iterator<Item = usize>, value_of: &dyn Fn(usize) -> f64| {
+        let counted = voxels.filter(is_resin).map(value_of);
         let (sum, count) = counted.fold((0.0, 0.0), |(s, n), v| (s + v, n + 1.0));
         match count > 0.0 {
             true => (sum / count * f64::from(TOP)).clamp(0.0, f64::from(TOP)) as u8,
@@ -69,14 +69,14 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         }
     };
     let colors = |map: &dyn Fn(f64) -> Color| -> Vec<Color> {
-        let of = |i: u8| {
+        let color_of = |i: u8| {
             if i > TOP {
                 [0; 4]
             } else {
                 map(f64::from(i) / f64::from(TOP))
             }
         };
-        (0..=255).map(of).collect()
+        (0..=255).map(color_of).collect()
     };
     let high = data.evaluation.histogram.range[1];
     let inside = |i: usize| match data.inside {

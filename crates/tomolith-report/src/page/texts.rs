@@ -71,11 +71,11 @@ fn facts(data: &ReportData<'_>) -> Vec<(String, String)> {
 /// Over which exposures the print of each species stays nearly as good, or why the report cannot say so.
 fn exposures(data: &ReportData<'_>) -> Vec<String> {
     if data.species.len() > 1 {
-        let of = |species: &SpeciesReport<'_>| {
+        let sentence_of = |species: &SpeciesReport<'_>| {
             let window = species.exposure.as_ref()?;
             Some(format!("{}: {}", species.name, window.sentence()))
         };
-        return data.species.iter().filter_map(of).collect();
+        return data.species.iter().filter_map(sentence_of).collect();
     }
     let iou = data.evaluation.measures.get("iou");
     vec![match data.exposure {
@@ -91,14 +91,14 @@ fn exposures(data: &ReportData<'_>) -> Vec<String> {
 
 /// What limits each species.
 fn limits<'a>(data: &ReportData<'a>) -> Vec<Named<'a>> {
-    let of = |name, limits: &crate::PrintLimits| Named {
+    let named = |name, limits: &crate::PrintLimits| Named {
         name,
         sentence: limits.sentence.clone(),
     };
     match data.species.len() {
-        0 | 1 => vec![of("", data.limits)],
+        0 | 1 => vec![named("", data.limits)],
         _ => (data.species.iter())
-            .map(|species| of(species.name, species.limits))
+            .map(|species| named(species.name, species.limits))
             .collect(),
     }
 }
@@ -109,18 +109,18 @@ fn first_of(data: &ReportData<'_>) -> String {
         return String::new();
     };
     let Some(one) = data.one_exposure else {
-        let of =
+        let sentence_of =
             |other: &SpeciesReport<'_>| format!(" {}: {}", other.name, sentence(other.evaluation));
-        let others: String = others.iter().map(of).collect();
+        let others: String = others.iter().map(sentence_of).collect();
         return match others.is_empty() {
             true => others,
             false => format!(" That is {}.{others}", first.name),
         };
     };
-    let of = |(species, iou): (&SpeciesReport<'_>, &f64)| {
+    let iou_of = |(species, iou): (&SpeciesReport<'_>, &f64)| {
         format!("{} {}", species.name, significant(*iou, 4))
     };
-    let all: Vec<String> = data.species.iter().zip(&one.iou).map(of).collect();
+    let all: Vec<String> = data.species.iter().zip(&one.iou).map(iou_of).collect();
     format!(
         " That is {} alone. At one exposure the species reach {}.",
         first.name,

@@ -189,12 +189,12 @@ pub(super) fn volumes(data: &ReportData<'_>, most_bytes: usize) -> (Vec<VolumeIn
 fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Arrays) {
     let mut edge = EDGE;
     loop {
-        let of = |(i, source): (usize, &Source<'_>)| {
+        let pack = |(i, source): (usize, &Source<'_>)| {
             let id = format!("{}{i}", source.kind);
             let (info, codes) = source.reduced(id, source.factor(edge));
             (info, packed(&codes))
         };
-        let packed: Vec<(VolumeInfo, String)> = sources.iter().enumerate().map(of).collect();
+        let packed: Vec<(VolumeInfo, String)> = sources.iter().enumerate().map(pack).collect();
         let bytes: usize = packed.iter().map(|(_, text)| text.len()).sum();
         if bytes <= most_bytes || edge <= 16 {
             return packed
@@ -238,12 +238,12 @@ pub fn served_target(
 }
 
 fn served(i: usize, sources: &[Source<'_>]) -> Served {
-    let of = |source: &Source<'_>| {
+    let volume_of = |source: &Source<'_>| {
         let id = format!("{}{i}", source.kind);
         let (info, codes) = source.reduced(id, source.factor(EDGE));
         (json!(info), deflate(&codes))
     };
-    sources.iter().map(of).collect()
+    sources.iter().map(volume_of).collect()
 }
 
 /// The target of a job before it runs.

@@ -254,8 +254,8 @@ mod tests {
         // A square rod through two opposite faces of a cube
         let rod = cuboid([0.5, 0.6, -1.0], [1.3, 1.2, 3.0]);
         let mesh = together(&[cuboid([0.0; 3], [2.0; 3]), rod]);
-        let [own, other] = crossings_of(&mesh);
-        assert_eq!(own.count, 0);
+        let [itself, other] = crossings_of(&mesh);
+        assert_eq!(itself.count, 0);
         // 4 edges and 4 diagonals of the rod through bottom and top, and their diagonals through two sides of the rod
         assert_eq!(other.count, 2 * 8 + 2 * 2);
         let [x, y, z] = other.at.unwrap();
@@ -266,8 +266,8 @@ mod tests {
     fn an_edge_through_the_diagonal_of_a_face_counts_whichever_way_it_is_turned() {
         // Three edges of each cube meet a face of the other on its diagonal
         let mesh = together(&[cuboid([0.0; 3], [2.0; 3]), cuboid([1.0; 3], [3.0; 3])]);
-        let [own, other] = crossings_of(&mesh);
-        assert_eq!(own.count, 0);
+        let [itself, other] = crossings_of(&mesh);
+        assert_eq!(itself.count, 0);
         assert!(other.count >= 6, "{other:?}");
         let alone = turned(mesh, [10.0, 20.0, 30.0]);
         assert_eq!(crossings_of(&alone)[1].count, other.count);
@@ -284,11 +284,11 @@ mod tests {
             .max_by(|&a, &b| mesh.vertices[a][2].total_cmp(&mesh.vertices[b][2]))
             .unwrap();
         mesh.vertices[top][2] = -1.2;
-        let [own, other] = crossings_of(&mesh);
-        assert!(own.count >= 5, "{own:?}");
+        let [itself, other] = crossings_of(&mesh);
+        assert!(itself.count >= 5, "{itself:?}");
         assert_eq!(other.count, 0);
-        let [x, y, z] = own.at.unwrap();
-        assert!(x.hypot(y) < 0.1 && (z + 1.0).abs() < 0.01, "{own:?}");
+        let [x, y, z] = itself.at.unwrap();
+        assert!(x.hypot(y) < 0.1 && (z + 1.0).abs() < 0.01, "{itself:?}");
     }
 
     #[test]

@@ -132,8 +132,8 @@ pub(super) fn drop_doubles(mesh: &mut Mesh, found: &mut Diagnosis) {
         found.copied_triangles -= 1;
     }
     if keep.contains(&false) {
-        let mut kept = keep.into_iter();
-        mesh.triangles.retain(|_| kept.next().unwrap_or(true));
+        let mut keep = keep.into_iter();
+        mesh.triangles.retain(|_| keep.next().unwrap_or(true));
     }
 }
 

@@ -360,8 +360,8 @@ mod tests {
         let text = refused(json!("gaer"));
         assert!(text.starts_with("target.phantom.gaer: unknown kind `gaer`"));
         let text = refused(json!({"diamond": {"wall_mm": 0.5}}));
-        let said = "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm";
-        assert!(text.starts_with(said), "{text}");
+        let expected = "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm";
+        assert!(text.starts_with(expected), "{text}");
     }
 
     #[test]

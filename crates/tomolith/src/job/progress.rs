@@ -175,13 +175,13 @@ pub(crate) fn watched<T: Send>(
     action: impl FnOnce(&mut dyn Progress) -> Result<T> + Send,
 ) -> Result<T> {
     thread::scope(|scope| {
-        let (tell, told) = channel();
+        let (tell, events) = channel();
         let (answer, heard) = channel();
         let wants = progress.wants();
         let worker = scope.spawn(move || action(&mut Relay { tell, heard, wants }));
         let mut gauge = Gauge::new();
         loop {
-            match told.recv_timeout(PAUSE) {
+            match events.recv_timeout(PAUSE) {
                 Ok(news) => {
                     match news {
                         News::Event(event) => {
@@ -312,11 +312,11 @@ mod tests {
 
     #[test]
     fn stages_tell_how_far_they_are_from_the_callers_thread_and_end_whole() {
-        let (work, mut told) = (Work::new(), Told(Vec::new()));
+        let (work, mut recorded) = (Work::new(), Told(Vec::new()));
         let name = |name: &str| Event::Stage {
             name: name.to_owned(),
         };
-        let result = watched(&mut told, &work, |progress| {
+        let result = watched(&mut recorded, &work, |progress| {
             for stage in ["a", "b"] {
                 let part = work.stage();
                 progress.event(&name(stage));
@@ -329,7 +329,10 @@ mod tests {
             Ok(7)
         });
         assert_eq!(result.unwrap(), 7);
-        let stages: Vec<&[Event]> = told.0.split(|e| matches!(e, Event::Stage { .. })).collect();
+        let stages: Vec<&[Event]> = recorded
+            .0
+            .split(|e| matches!(e, Event::Stage { .. }))
+            .collect();
         assert_eq!(stages.len(), 3);
         for stage in &stages[1..] {
             let done: Vec<f64> = (stage.iter())

@@ -260,7 +260,7 @@ fn finish(done: &Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Su
     let written = written.and_then(|headline| stage.check().map(|()| headline));
     if let (Err(error), Some(optimized)) = (&written, &done.optimized) {
         let place = folder.checkpoint();
-        let kept = keep(
+        let saved = keep(
             &done.resolved,
             &optimized.raw,
             &place,
@@ -269,7 +269,7 @@ fn finish(done: &Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Su
         );
         // Where the disk is full, what could not be written first is the news
         if matches!(error, Error::Canceled) {
-            kept?;
+            saved?;
         }
     }
     let summary = summary(done, written?, folder.path(), clock.begin);

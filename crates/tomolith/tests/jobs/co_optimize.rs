@@ -38,15 +38,15 @@ fn text(file: &Path) -> String {
 #[test]
 fn what_was_found_is_in_every_file_and_judges_the_print() {
     let place = tempfile::tempdir().unwrap();
-    let own = place.path().join("own");
-    let job = read(&[], &own).unwrap();
+    let folder = place.path().join("own");
+    let job = read(&[], &folder).unwrap();
     let summary = job::run(&job, false, &mut Silent, &Work::new()).unwrap();
-    let found = report(&own);
+    let found = report(&folder);
     let [steepness, midpoint] =
         ["steepness", "midpoint"].map(|name| found["response"][name].as_f64().unwrap());
     assert!(summary.to_string().contains("response found midpoint 0."));
     // The table, and the run's own job
-    let history = text(&own.join("history.csv"));
+    let history = text(&folder.join("history.csv"));
     let mut lines = history.lines();
     let first = lines.next().unwrap();
     assert!(first.ends_with(",process_window,response.midpoint,response.steepness"));
@@ -55,10 +55,10 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
         last.ends_with(&format!(",{midpoint},{steepness}")),
         "{last}"
     );
-    let toml = text(&own.join("job.toml"));
+    let toml = text(&folder.join("job.toml"));
     let line = format!("# Found with the patterns: response.logistic.steepness = {steepness}\n");
     assert!(toml.contains(&line), "{toml}");
-    assert!(text(&own.join("report.html")).contains("Response found"));
+    assert!(text(&folder.join("report.html")).contains("Response found"));
     // The same patterns, judged under a job that has the found numbers for its response, print the same
     let fixed = place.path().join("fixed");
     let mut document = Document::toml("again.toml", &toml).unwrap();
@@ -72,7 +72,7 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let same = Job::from_document(document)
         .unwrap()
         .with_folder(&fixed, "--output");
-    job::simulate(&same, &own, &mut Silent, &Work::new()).unwrap();
+    job::simulate(&same, &folder, &mut Silent, &Work::new()).unwrap();
     assert_eq!(report(&fixed)["evaluation"], found["evaluation"]);
     // And so under the run's own job, which takes them from the run
     let again = place.path().join("again");
@@ -80,12 +80,12 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let own_job = Job::from_document(own_job)
         .unwrap()
         .with_folder(&again, "--output");
-    job::simulate(&own_job, &own, &mut Silent, &Work::new()).unwrap();
+    job::simulate(&own_job, &folder, &mut Silent, &Work::new()).unwrap();
     assert_eq!(report(&again)["evaluation"], found["evaluation"]);
     // Patterns alone do not say which response they are for
     let alone = place.path().join("alone");
     let lone = place.path().join("lone.npz");
-    std::fs::copy(own.join("patterns.npz"), &lone).unwrap();
+    std::fs::copy(folder.join("patterns.npz"), &lone).unwrap();
     let own_job = own_job.with_folder(&alone, "--output");
     job::simulate(&own_job, &lone, &mut Silent, &Work::new()).unwrap();
     assert_ne!(report(&alone)["evaluation"], found["evaluation"]);
@@ -107,8 +107,8 @@ fn rows(folder: &Path) -> Vec<Vec<String>> {
     let history = text(&folder.join("history.csv"));
     let row = |line: &str| {
         let cells = line.split(',').enumerate();
-        let kept = cells.filter(|(column, _)| *column != 6);
-        kept.map(|(_, cell)| cell.to_owned()).collect()
+        let compared = cells.filter(|(column, _)| *column != 6);
+        compared.map(|(_, cell)| cell.to_owned()).collect()
     };
     history.lines().map(row).collect()
 }
@@ -130,11 +130,11 @@ fn a_run_that_was_cut_off_or_has_other_threads_has_the_same_bits() {
         assert_eq!(report(&cut)["response"], report(&whole)["response"]);
     }
     for threads in [1, 3] {
-        let own = place.path().join(format!("threads-{threads}"));
-        let job = read(&[], &own).unwrap();
+        let folder = place.path().join(format!("threads-{threads}"));
+        let job = read(&[], &folder).unwrap();
         let work = || job::run(&job, false, &mut Silent, &Work::new());
         on_threads(threads, work).unwrap();
-        assert_eq!(rows(&own), rows(&whole), "{threads} threads");
+        assert_eq!(rows(&folder), rows(&whole), "{threads} threads");
     }
 }
 
@@ -142,16 +142,16 @@ fn a_run_that_was_cut_off_or_has_other_threads_has_the_same_bits() {
 fn a_single_value_of_the_range_does_worse() {
     let place = tempfile::tempdir().unwrap();
     let loss = |name: &str, changes: &[&str]| {
-        let own = place.path().join(name);
-        let job = read(changes, &own).unwrap();
+        let folder = place.path().join(name);
+        let job = read(changes, &folder).unwrap();
         job::run(&job, false, &mut Silent, &Work::new()).unwrap();
-        report(&own)["history"]["loss"].as_f64().unwrap()
+        report(&folder)["history"]["loss"].as_f64().unwrap()
     };
     let found = loss("found", &[]);
     for (i, steepness) in [5, 15, 60].into_iter().enumerate() {
-        let own = format!("response.logistic.steepness={steepness}");
+        let change = format!("response.logistic.steepness={steepness}");
         let one = "co_optimize={ response = { midpoint = [0.4999, 0.5001] } }";
-        let fixed = loss(&i.to_string(), &[&own, one]);
+        let fixed = loss(&i.to_string(), &[&change, one]);
         assert!(found <= 1.01 * fixed, "{steepness}: {found} {fixed}");
     }
 }
@@ -160,8 +160,8 @@ fn a_single_value_of_the_range_does_worse() {
 fn what_cannot_be_an_unknown_is_refused_before_work() {
     let place = tempfile::tempdir().unwrap();
     let refused = |changes: &[&str]| {
-        let own = place.path().join("never");
-        let job = read(changes, &own);
+        let folder = place.path().join("never");
+        let job = read(changes, &folder);
         let checked = job.and_then(|job| job::check(&job, &mut Silent, &Work::new()).map(drop));
         checked.unwrap_err().to_string()
     };
@@ -179,9 +179,9 @@ fn what_cannot_be_an_unknown_is_refused_before_work() {
         printer={ time_s = 30.0 } → printer.time_s: … only one of the two
     "#;
     for slip in slips.trim().lines() {
-        let (change, said) = slip.split_once(" → ").unwrap();
+        let (change, expected) = slip.split_once(" → ").unwrap();
         let message = refused(&[change.trim()]);
-        for part in said.split('…') {
+        for part in expected.split('…') {
             tomolith_core::contains!(message, part.trim());
         }
     }

@@ -47,42 +47,42 @@ impl Draw {
         ((z ^ (z >> 31)) % count as u64) as usize
     }
 
-    fn one_of<'a, T>(&mut self, of: &'a [T]) -> &'a T {
-        &of[self.below(of.len())]
+    fn one_of<'a, T>(&mut self, all: &'a [T]) -> &'a T {
+        &all[self.below(all.len())]
     }
 
     /// A value; None where the schema asks for text of any kind, which most often names a file.
-    fn value(&mut self, of: &Value, depth: usize) -> Option<Value> {
-        if let Some(reference) = of["$ref"].as_str() {
-            let of = self.schema.pointer(&reference[1..])?.clone();
-            return self.value(&of, depth);
+    fn value(&mut self, schema: &Value, depth: usize) -> Option<Value> {
+        if let Some(reference) = schema["$ref"].as_str() {
+            let schema = self.schema.pointer(&reference[1..])?.clone();
+            return self.value(&schema, depth);
         }
-        if let Some(options) = of["oneOf"].as_array().or(of["anyOf"].as_array()) {
+        if let Some(options) = schema["oneOf"].as_array().or(schema["anyOf"].as_array()) {
             let option = self.one_of(options).clone();
             return self.value(&option, depth);
         }
-        if let Some(names) = of["enum"].as_array() {
+        if let Some(names) = schema["enum"].as_array() {
             return Some(self.one_of(names).clone());
         }
-        if !of["const"].is_null() {
-            return Some(of["const"].clone());
+        if !schema["const"].is_null() {
+            return Some(schema["const"].clone());
         }
-        let kind = match &of["type"] {
+        let kind = match &schema["type"] {
             Value::Array(kinds) => kinds.first()?.as_str()?.to_owned(),
             kind => kind.as_str()?.to_owned(),
         };
         match kind.as_str() {
-            "object" => self.table(of, depth),
+            "object" => self.table(schema, depth),
             "array" => {
-                let count = of["minItems"].as_u64().unwrap_or(1);
+                let count = schema["minItems"].as_u64().unwrap_or(1);
                 (0..count)
-                    .map(|_| self.value(&of["items"], depth + 1))
+                    .map(|_| self.value(&schema["items"], depth + 1))
                     .collect::<Option<_>>()
             }
             "boolean" => Some(Value::from(self.below(2) == 1)),
             "integer" => Some(Value::from(*self.one_of(&[0, 1, 2, 3, 4, 8, 12, 16]))),
             "number" if self.below(25) == 0 => Some(Value::from(*self.one_of(&EXTREMES))),
-            "number" => Some(match (of["default"].as_f64(), self.below(2)) {
+            "number" => Some(match (schema["default"].as_f64(), self.below(2)) {
                 (Some(default), 0) => Value::from(default * self.one_of(&[0.5, 1.0, 2.0])),
                 _ => Value::from(*self.one_of(&NUMBERS)),
             }),
@@ -90,16 +90,16 @@ impl Draw {
         }
     }
 
-    fn table(&mut self, of: &Value, depth: usize) -> Option<Value> {
-        let required = of["required"].as_array().cloned().unwrap_or_default();
+    fn table(&mut self, schema: &Value, depth: usize) -> Option<Value> {
+        let required = schema["required"].as_array().cloned().unwrap_or_default();
         let mut table = Map::new();
-        for (key, own) in of["properties"].as_object()? {
+        for (key, property) in schema["properties"].as_object()? {
             let is_required = required.iter().any(|r| r == key);
             // A few keys of each table
             if !is_required && self.below(4) != 0 {
                 continue;
             }
-            match self.value(own, depth + 1) {
+            match self.value(property, depth + 1) {
                 Some(value) => drop(table.insert(key.clone(), value)),
                 None if is_required => return None,
                 None => {}
@@ -127,7 +127,7 @@ impl Draw {
                     "objective" | "optimizer" | "start" | "model" | "response" | "vial"
                 );
                 match root.get_mut(key).filter(|_| !tagged) {
-                    Some(own) => merge(own, value),
+                    Some(table) => merge(table, value),
                     None => root[key] = value,
                 }
             }
@@ -142,7 +142,7 @@ fn merge(under: &mut Value, over: Value) {
         (Value::Object(under), Value::Object(over)) => {
             for (key, value) in over {
                 match under.get_mut(&key) {
-                    Some(own) => merge(own, value),
+                    Some(inner) => merge(inner, value),
                     None => drop(under.insert(key, value)),
                 }
             }
@@ -151,7 +151,7 @@ fn merge(under: &mut Value, over: Value) {
             under
                 .iter_mut()
                 .zip(over)
-                .for_each(|(own, value)| merge(own, value));
+                .for_each(|(inner, value)| merge(inner, value));
         }
         (under, over) => *under = over,
     }

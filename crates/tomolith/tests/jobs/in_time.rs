@@ -69,8 +69,8 @@ fn a_schedule_says_how_long_and_how_bright_the_light_is() {
             .iter()
             .any(|text| text.contains("the schedule needs"))
     );
-    let said = summary.to_string();
-    assert!(said.contains("mJ sent to the vial"), "{said}");
+    let text = summary.to_string();
+    assert!(text.contains("mJ sent to the vial"), "{text}");
 }
 
 #[test]
@@ -114,8 +114,8 @@ fn every_method_optimizes_a_print_in_time_or_says_why_not() {
             "schedule.step_s=4.0",
         ]);
         let folder = tempfile::tempdir().unwrap();
-        let own = folder.path().join("run");
-        let job = job.with_folder(&own, "--output");
+        let run_folder = folder.path().join("run");
+        let job = job.with_folder(&run_folder, "--output");
         let done = run(&job, false, &mut Silent, &Work::new());
         if ["fista", "osmo", "cal"].contains(&name) {
             let text = done.unwrap_err().to_string();
@@ -123,11 +123,11 @@ fn every_method_optimizes_a_print_in_time_or_says_why_not() {
             for other in ["lbfgs", "gradient", "adam", "pm", "bclp"] {
                 assert!(text.contains(other), "{name}: {text}");
             }
-            assert!(!own.exists(), "{name}: refused before any work");
+            assert!(!run_folder.exists(), "{name}: refused before any work");
             continue;
         }
         done.unwrap();
-        let losses = losses(&own);
+        let losses = losses(&run_folder);
         let lowest = losses.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(lowest < 0.8 * losses[0], "{name}: {losses:?}");
     }

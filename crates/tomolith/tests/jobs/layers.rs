@@ -74,14 +74,14 @@ fn layers_of_a_job_import_from_below() {
             continue;
         }
         let place = |name: &str| LAYERS.iter().position(|layer| *layer == name);
-        let own = place(layer).unwrap_or_else(|| panic!("{layer} is no layer"));
+        let here = place(layer).unwrap_or_else(|| panic!("{layer} is no layer"));
         let code = code(&std::fs::read_to_string(&file).unwrap());
-        let reads_jobs = OF_JOBS.iter().any(|own| path == Path::new(own));
+        let reads_jobs = OF_JOBS.iter().any(|listed| path == Path::new(listed));
         for found in paths(&code, names.len()) {
             let (name, rest) = found.split_once("::").unwrap_or((found, ""));
             // What is no layer is a name that the module of jobs takes from one, for its users alone
-            let is_upward = place(name).is_none_or(|other| other > own);
-            let is_table = name == "spec" && own > place("resolve").unwrap();
+            let is_upward = place(name).is_none_or(|other| other > here);
+            let is_table = name == "spec" && here > place("resolve").unwrap();
             let may_be = reads_jobs || OF_SPEC.iter().any(|known| rest.starts_with(known));
             if is_upward || is_table && !may_be {
                 wrong.push(format!("{}: {found}", path.display()));

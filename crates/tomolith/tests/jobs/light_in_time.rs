@@ -127,16 +127,16 @@ fn off_shaded(plain: Arc<Model>, by_map: &dyn Fn(Option<AbsorptionMap>) -> Box<M
     let mu = disc(0.5);
     let map = map_of(&mu);
     let shaded = Shaded::new(Arc::clone(&plain), [MU, MU], &absorbing(mu)).unwrap();
-    let of = |model: &Model| {
+    let dose_of = |model: &Model| {
         let x = patterns(model);
         // Amplitudes and energies of one pattern
         let quantity = model.patterns()[0].quantity;
         let values: Vec<f32> = x.as_slice().iter().map(|v| quantity.value(*v)).collect();
         dose(model, &HostField::from_slice(&values))
     };
-    let (before, exact) = (of(plain.as_ref()), of(by_map(None).as_ref()));
-    let change = apart(&of(&shaded), &before);
-    let wanted = apart(&of(by_map(Some(map)).as_ref()), &exact);
+    let (before, exact) = (dose_of(plain.as_ref()), dose_of(by_map(None).as_ref()));
+    let change = apart(&dose_of(&shaded), &before);
+    let wanted = apart(&dose_of(by_map(Some(map)).as_ref()), &exact);
     [
         rms(&apart(&change, &wanted)) / rms(&wanted),
         rms(&apart(&before, &exact)) / rms(&exact),
@@ -306,17 +306,17 @@ fn descend(model: &Printing, x: &mut HostField, steps: usize) -> f64 {
 
 #[test]
 fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
-    let (repeated, own) = (exact(false), exact(true));
+    let (repeated, separate) = (exact(false), exact(true));
     let mut x = repeated.new_patterns().unwrap();
     x.fill(0.12);
     let first = descend(&repeated, &mut x, 6);
     // Both turns as the repeated one: the same print
     let mut both = HostField::from_slice(&[x.as_slice(), x.as_slice()].concat());
-    let start = loss(&own, &both, None);
+    let start = loss(&separate, &both, None);
     assert!((start / first - 1.0).abs() < 1e-4, "{start} {first}");
     // The gradient of a turn is another one than that of the other; their sum is that of the repeated one
     let mut of_both = both.zeros_like();
-    loss(&own, &both, Some(&mut of_both));
+    loss(&separate, &both, Some(&mut of_both));
     let mut of_one = x.zeros_like();
     loss(&repeated, &x, Some(&mut of_one));
     let (one, two) = of_both.as_slice().split_at(x.len());
@@ -331,7 +331,7 @@ fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
     assert!(off[0] < 1e-2 && off[1] > 0.01, "{off:?}");
     // As many further steps: turns of their own go further
     let further = descend(&repeated, &mut x, 4);
-    let apart = descend(&own, &mut both, 4);
+    let apart = descend(&separate, &mut both, 4);
     assert!(
         apart < further && further <= first,
         "{apart} {further} {first}"

@@ -69,11 +69,11 @@ fn on_ranks(
         let ranks: Arc<dyn Communicator> = Arc::new(rank);
         let work = Work::with_patience(Duration::MAX);
         let mut watch = StopAfter(stop, &work);
-        let told: &mut dyn Progress = match ranks.is_first() {
+        let progress: &mut dyn Progress = match ranks.is_first() {
             true => &mut watch,
             false => &mut Silent,
         };
-        job::run_among(&job, resume, Leaves::Patterns, &ranks, told, &work)
+        job::run_among(&job, resume, Leaves::Patterns, &ranks, progress, &work)
     };
     thread::scope(|scope| {
         let ranks = Threads::ranks(size).into_iter();
@@ -239,12 +239,12 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     let stopped = on_ranks(2, |_| job.clone(), false, 3);
     let canceled = |found: &Result<_>| matches!(found, Err(Error::Canceled));
     assert!(stopped.iter().all(canceled), "{stopped:?}");
-    let kept = std::fs::read(&checkpoint).unwrap();
+    let saved = std::fs::read(&checkpoint).unwrap();
     assert!(job.folder().join("checkpoint/patterns.npz").exists());
     // A whole run from it, on one process and on three; each begins at the loss that the stopped one had reached
     let mut begins = Vec::new();
     for size in [1, 3] {
-        std::fs::write(&checkpoint, &kept).unwrap();
+        std::fs::write(&checkpoint, &saved).unwrap();
         if size == 1 {
             job::run_leaving(&job, true, Leaves::All, &mut Silent, &Work::new()).unwrap();
         } else {

@@ -61,26 +61,26 @@ fn two_species_are_judged_at_one_exposure() {
         "resin.critical_dose_mj_per_mm3=0.5",
         "printer={ peak_irradiance_mw_per_cm2 = 20.0 }",
     ];
-    let (report, folder, said) = report(&changes.map(str::to_owned));
+    let (report, folder, summary) = report(&changes.map(str::to_owned));
     let together = &report["one_exposure"]["iou"];
-    let of = |s: usize| {
+    let ious_of = |s: usize| {
         let alone = report["species"][s]["evaluation"]["iou"].as_f64().unwrap();
         (alone, together[s].as_f64().unwrap())
     };
-    for (alone, together) in [of(0), of(1)] {
+    for (alone, together) in [ious_of(0), ious_of(1)] {
         assert!(together > 0.2 && together <= alone + 1e-9, "{report}");
     }
     // Neither's own best dose has a lowest IoU that is larger
-    let lowest = of(0).1.min(of(1).1);
+    let lowest = ious_of(0).1.min(ious_of(1).1);
     for s in [0, 1] {
-        let own = report["species"][s]["evaluation"]["gel_threshold"]
+        let threshold = report["species"][s]["evaluation"]["gel_threshold"]
             .as_f64()
             .unwrap();
         let at = |s: usize| {
             let curve = report["species"][s]["evaluation"]["iou_curve"].as_array();
             let points = curve.unwrap().iter();
             let nearest = points.min_by(|a, b| {
-                let off = |p: &Value| (p[0].as_f64().unwrap() - own).abs();
+                let off = |p: &Value| (p[0].as_f64().unwrap() - threshold).abs();
                 off(a).total_cmp(&off(b))
             });
             nearest.unwrap()[1].as_f64().unwrap()
@@ -93,7 +93,7 @@ fn two_species_are_judged_at_one_exposure() {
     let limits = report["one_exposure"]["limited_by"].as_str().unwrap();
     assert_eq!(
         limits,
-        if of(0).1 <= of(1).1 {
+        if ious_of(0).1 <= ious_of(1).1 {
             "acrylate"
         } else {
             "epoxy"
@@ -101,32 +101,42 @@ fn two_species_are_judged_at_one_exposure() {
     );
     let sentence = format!("{limits} limits it");
     assert!(
-        said.contains(&sentence) && html.contains(&sentence),
-        "{said}"
+        summary.contains(&sentence) && html.contains(&sentence),
+        "{summary}"
     );
     for name in ["acrylate", "epoxy"] {
-        assert!(said.contains(&format!("\n{name}: Predicted IoU")), "{said}");
+        assert!(
+            summary.contains(&format!("\n{name}: Predicted IoU")),
+            "{summary}"
+        );
         assert!(html.contains(&format!("\"name\":\"{name}\",\"sentence\":\"Predicted IoU")));
     }
     assert_eq!(report["limits"], report["species"][0]["limits"]);
     assert_limits_add_up(&report["species"][1]);
-    assert!(html.contains("Finer pixels of uv may bring more"), "{said}");
-    tomolith_core::contains!(said, "acrylate:", "epoxy:");
+    assert!(
+        html.contains("Finer pixels of uv may bring more"),
+        "{summary}"
+    );
+    tomolith_core::contains!(summary, "acrylate:", "epoxy:");
     let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
     assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));
     assert!(report["species"][1]["exposure"]["dose"]["best"].is_number());
     // What the machine is told brings that dose
     let text = std::fs::read(folder.path().join("run/exposure.json")).unwrap();
-    let told: Value = serde_json::from_slice(&text).unwrap();
-    let time = |light: usize| told["lights"][light]["budget"]["time_s"].as_f64().unwrap();
+    let exposure: Value = serde_json::from_slice(&text).unwrap();
+    let time = |light: usize| {
+        exposure["lights"][light]["budget"]["time_s"]
+            .as_f64()
+            .unwrap()
+    };
     let best = report["one_exposure"]["time_s"]["best"].as_f64().unwrap();
     assert!(((time(0) + time(1)) / best - 1.0).abs() < 1e-6, "{best}");
 }
 
 #[test]
 fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
-    let (report, folder, said) = report(&[]);
-    let own = folder.path().join("run");
+    let (report, folder, summary) = report(&[]);
+    let run_folder = folder.path().join("run");
     for file in [
         "frames/violet",
         "frames/uv",
@@ -134,9 +144,9 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
         "wheel-all_uv_10rpm.mp4",
         "dose_epoxy.npy",
     ] {
-        assert!(own.join(file).exists(), "{file}");
+        assert!(run_folder.join(file).exists(), "{file}");
     }
-    let (_, modulus) = npy::read_volume(&own.join("modulus.npy")).unwrap();
+    let (_, modulus) = npy::read_volume(&run_folder.join("modulus.npy")).unwrap();
     let mut solid: Vec<f32> = modulus.into_iter().filter(|v| v.is_finite()).collect();
     solid.sort_by(f32::total_cmp);
     assert!(solid.len() > 100, "{}", solid.len());
@@ -145,9 +155,9 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
     assert!(stiff > 30.0 * soft, "{soft} {stiff}");
     // Gray values have no IoU: each species has an exposure of its own
     assert!(report["one_exposure"].is_null());
-    tomolith_core::contains!(said, "acrylate: The best exposure has an rms error");
-    tomolith_core::contains!(said, "epoxy: The best exposure has an rms error");
-    let html = std::fs::read_to_string(own.join("report.html")).unwrap();
+    tomolith_core::contains!(summary, "acrylate: The best exposure has an rms error");
+    tomolith_core::contains!(summary, "epoxy: The best exposure has an rms error");
+    let html = std::fs::read_to_string(run_folder.join("report.html")).unwrap();
     assert!(html.contains("That is acrylate. epoxy: The response of"));
     assert!(html.contains("modulus") && html.contains("MPa"));
 }

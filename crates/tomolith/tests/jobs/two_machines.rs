@@ -26,20 +26,23 @@ fn report(changes: &[&str]) -> Value {
 #[test]
 fn each_light_has_its_own_brightness_and_its_own_turns() {
     let report = report(&[]);
-    let of = |light: usize, what: &str| {
+    let number_of = |light: usize, what: &str| {
         report["lights"][light]
             .pointer(what)
             .and_then(Value::as_f64)
             .unwrap()
     };
-    let peaks = [0, 1].map(|light| of(light, "/irradiance/peak_mw_per_cm2"));
+    let peaks = [0, 1].map(|light| number_of(light, "/irradiance/peak_mw_per_cm2"));
     assert_eq!(peaks, [46.2, 325.3]);
-    assert_eq!([0, 1].map(|light| of(light, "/budget/turns")), [9.0, 12.0]);
+    assert_eq!(
+        [0, 1].map(|light| number_of(light, "/budget/turns")),
+        [9.0, 12.0]
+    );
     // The print ends with the light that is shown longer; a white pixel gets 0.1 mW/mm² for 1/12 of each turn of 5 s
     for (light, turns) in [(0, 9.0), (1, 12.0)] {
-        assert!((of(light, "/budget/time_s") - 5.0 * turns).abs() < 1e-9);
-        let white = of(light, "/full_scale") * 0.1 * turns * 5.0 / 12.0;
-        assert!((of(light, "/budget/white_mj_per_mm2") / white - 1.0).abs() < 1e-6);
+        assert!((number_of(light, "/budget/time_s") - 5.0 * turns).abs() < 1e-9);
+        let white = number_of(light, "/full_scale") * 0.1 * turns * 5.0 / 12.0;
+        assert!((number_of(light, "/budget/white_mj_per_mm2") / white - 1.0).abs() < 1e-6);
     }
 }
 

@@ -47,7 +47,7 @@ fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
     )
     .unwrap();
     let refused = |more: &[&str], parts: &[&str]| {
-        let message = said(2, "", &tomolith(&file, more));
+        let message = text_of(2, "", &tomolith(&file, more));
         let finished = "holds a finished run of another job";
         contains(&message, "", &["output.folder", finished, "--overwrite"]);
         contains(&message, "", parts);
@@ -184,7 +184,7 @@ fn resuming_says_what_to_do_and_what_has_changed() {
     fs::write(&file, &whole).unwrap();
     let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
     let more = [&more[..], &["--set", "objective.threshold.part_weight=1"]].concat();
-    said(0, "", &bench.tomolith(JOB, &more));
+    text_of(0, "", &bench.tomolith(JOB, &more));
     let fewer = bench.tomolith(JOB, &["--resume", "--set", "stop.iterations=1"]);
     let fewer = String::from_utf8_lossy(&fewer.stdout);
     let why = "3 (the checkpoint had 2 more than `stop.iterations`";
@@ -208,7 +208,7 @@ fn a_simulation_never_mixes_with_a_run() {
             .output()
             .unwrap()
     };
-    let message = said(2, "", &simulate(&["--output", &run.display().to_string()]));
+    let message = text_of(2, "", &simulate(&["--output", &run.display().to_string()]));
     contains(
         &message,
         "",
@@ -229,7 +229,7 @@ impl Bench {
         let line = format!("trap '' XFSZ; ulimit -f {blocks}; exec {command} {line}");
         let mut shell = Command::new("sh");
         shell.current_dir(self.temp.path()).args(["-c", &line]);
-        said(code, &line, &shell.output().unwrap())
+        text_of(code, &line, &shell.output().unwrap())
     }
 }
 

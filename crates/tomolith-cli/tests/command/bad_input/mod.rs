@@ -5,7 +5,7 @@ mod folders;
 mod slips;
 mod targets;
 
-use crate::bench::{Bench, contains, said, slipped};
+use crate::bench::{Bench, contains, slipped, text_of};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -73,7 +73,7 @@ impl Bench {
     /// The message of a job that must be refused with exit code 2 and all of `parts` in it.
     fn refused(&self, job: &str, more: &[&str], parts: &[&str]) -> String {
         let output = self.tomolith(job, more);
-        contains(&said(2, job, &output), job, parts);
+        contains(&text_of(2, job, &output), job, parts);
         String::from_utf8(output.stderr).unwrap()
     }
 

@@ -59,8 +59,8 @@ pub(crate) struct EvaluationModel {
 impl RunCache {
     /// Takes out the model that this key stands for; another one is let go.
     pub(crate) fn take(&mut self, key: Option<u64>) -> Option<EvaluationModel> {
-        let (own, model) = self.model.take()?;
-        (Some(own) == key).then_some(model)
+        let (last_key, model) = self.model.take()?;
+        (Some(last_key) == key).then_some(model)
     }
 
     /// Keeps a model of these voxels and lights under its job's key.
@@ -91,7 +91,7 @@ impl RunCache {
             return resolved.sampled(&resolved.grid, work);
         }
         let key = resolved.identity_of_parts()?;
-        let targets = match self.targets.take_if(|(own, _)| *own == key) {
+        let targets = match self.targets.take_if(|(last_key, _)| *last_key == key) {
             Some((_, targets)) => targets,
             None => resolved.sampled(&resolved.grid, work)?,
         };
@@ -101,8 +101,8 @@ impl RunCache {
 
     /// Takes out the start that this key stands for.
     pub(crate) fn take_start(&mut self, key: Option<u64>) -> Option<BoundingStart> {
-        let (own, start) = self.start.take()?;
-        (Some(own) == key).then_some(start)
+        let (last_key, start) = self.start.take()?;
+        (Some(last_key) == key).then_some(start)
     }
 
     /// Caches a start under its key, where it is no larger than the largest cached target.
@@ -121,8 +121,8 @@ impl RunCache {
 impl EvaluationModel {
     /// Whether it has the doses of patterns that are lit in these rows.
     pub(crate) fn gives(&self, exposed: &Exposed, lit: &[LitRows]) -> bool {
-        let shows = |(own, lit): (&PatternLayout, &LitRows)| {
-            own.runs.iter().zip(lit).all(|(run, &(bottom, count))| {
+        let shows = |(layout, lit): (&PatternLayout, &LitRows)| {
+            layout.runs.iter().zip(lit).all(|(run, &(bottom, count))| {
                 count == 0 || run.bottom <= bottom && bottom + count <= run.bottom + run.count
             })
         };
@@ -149,9 +149,9 @@ pub(crate) fn key(resolved: &ResolvedJob, voxels: &Voxels) -> Result<Option<u64>
 /// What the start that bounds a run's pixels is known by, with the key of its model.
 pub(crate) fn start_key(model: u64, job: &ResolvedJob) -> Result<u64> {
     let tables = job.tables(&[])?;
-    let own = tables.pointer("/start/patterns/bounds_as");
+    let bounds_as = tables.pointer("/start/patterns/bounds_as");
     let has_part = job.stop().relative_loss.is_some();
-    let read = json!([own, tables["bounds"], has_part]).to_string();
+    let read = json!([bounds_as, tables["bounds"], has_part]).to_string();
     Ok(hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())])))
 }
 
@@ -167,10 +167,10 @@ fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
         || resolved.is_optimized_in_time()
         || super::in_time::diffuses(resolved);
     let fine = resolved.fine_grid();
-    let own = Exposed::new(&level.grid, level.lights.clone());
-    let is_own = |angles| Exposed::new(&fine, resolved.optics.lights_turning(angles)) == own;
-    let is_plain = |(level, own): (&Light, &Light)| {
-        level.pixels == own.pixels && !own.selection.is_any() && own.point_spread.is_none()
+    let exposed = Exposed::new(&level.grid, level.lights.clone());
+    let is_own = |angles| Exposed::new(&fine, resolved.optics.lights_turning(angles)) == exposed;
+    let is_plain = |(level, light): (&Light, &Light)| {
+        level.pixels == light.pixels && !light.selection.is_any() && light.point_spread.is_none()
     };
     let mut lights = level.lights.iter().zip(&resolved.optics.lights);
     if is_joined
@@ -240,7 +240,7 @@ mod tests {
         let model = |cache: &RunCache| {
             cache
                 .evaluation_model()
-                .map(|own| SharedModel::clone(&own.model))
+                .map(|evaluation| SharedModel::clone(&evaluation.model))
         };
         let first = model(&cache).unwrap();
         let again = ran(&mut cache, &[], folder.path());
@@ -264,10 +264,10 @@ mod tests {
         ran(&mut cache, &[], folder.path());
         let first = folder.path().join("first.npz");
         std::fs::copy(folder.path().join("run/patterns.npz"), &first).unwrap();
-        let start = |own: &str| {
+        let start = |bounds_as: &str| {
             let file = first.display();
             format!(
-                "start={{ patterns = {{ file = \"{file}\", scaled = true, bounds_as = {own} }} }}"
+                "start={{ patterns = {{ file = \"{file}\", scaled = true, bounds_as = {bounds_as} }} }}"
             )
         };
         let fbp = start("{ fbp = {} }");

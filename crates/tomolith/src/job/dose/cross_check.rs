@@ -312,16 +312,21 @@ fn errors(
     // Sums of the three doses and voxels, of the part's voxels and of the void's in each block
     let mut blocks = vec![[[0.0f64; 4]; 2]; shape.iter().product()];
     let [_, ny, nx] = labels.grid.shape;
-    for (i, of) in labels.values.iter().enumerate() {
-        let place = match *of {
+    for (i, label) in labels.values.iter().enumerate() {
+        let place = match *label {
             label::PART => 0,
             label::VOID => 1,
             _ => continue,
         };
         let (z, y, x) = (i / (ny * nx), i / nx % ny, i % nx);
         let at = (z / block * shape[1] + y / block) * shape[2] + x / block;
-        let own = cell_of(i, labels.grid.shape, cell);
-        let values = [orders.values[own], a.values[own], b.values[own], 1.0];
+        let in_cell = cell_of(i, labels.grid.shape, cell);
+        let values = [
+            orders.values[in_cell],
+            a.values[in_cell],
+            b.values[in_cell],
+            1.0,
+        ];
         for (sum, value) in blocks[at][place].iter_mut().zip(values) {
             *sum += f64::from(value);
         }
@@ -491,8 +496,8 @@ mod tests {
         patterns.values.fill(0.5);
         let (sample, count) = sampled(&[patterns.clone()], 3, PATHS);
         let sum = |p: &Patterns| p.values.iter().map(|&v| f64::from(v)).sum::<f64>();
-        let kept = PATHS as f64 / 1e6;
-        assert!((count as f64 / 1e6 - kept).abs() < 5.0 * (kept / 1e6).sqrt());
+        let expected = PATHS as f64 / 1e6;
+        assert!((count as f64 / 1e6 - expected).abs() < 5.0 * (expected / 1e6).sqrt());
         assert!((sum(&sample[0]) / sum(&patterns) - 1.0).abs() < 0.01);
     }
 }

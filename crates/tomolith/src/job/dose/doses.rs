@@ -101,7 +101,7 @@ impl<'a> Doses<'a> {
         patterns: &[Patterns],
         work: &Work,
     ) -> Result<Simulated> {
-        let last = self.last.take().filter(|(own, ..)| own == exposed);
+        let last = self.last.take().filter(|(last, ..)| last == exposed);
         let (_, model, reason) = match last {
             Some(last) => self.last.insert(last),
             None => {
@@ -116,7 +116,7 @@ impl<'a> Doses<'a> {
     fn made(&self, exposed: &Exposed, making: &Work) -> Result<(SharedModel, String)> {
         if let Some(evaluation_model) = self
             .evaluation_model
-            .filter(|own| own.gives(exposed, &self.lit))
+            .filter(|model| model.gives(exposed, &self.lit))
         {
             return Ok((
                 Arc::clone(&evaluation_model.model),
@@ -194,7 +194,9 @@ fn simulated(
     model.dose(&x, &mut field, &work.part(0.85))?;
     drop(x);
     let outputs = model.outputs().iter();
-    Ok(outputs.map(|own| own.volume_of(field.as_slice())).collect())
+    Ok(outputs
+        .map(|output| output.volume_of(field.as_slice()))
+        .collect())
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -212,12 +214,12 @@ pub(crate) fn lit_rows(patterns: &Patterns) -> LitRows {
 
 /// Rows that are lit in one of two.
 fn joined(mut all: LitRows, other: LitRows) -> LitRows {
-    for (own, (bottom, count)) in all.iter_mut().zip(other) {
-        if own.1 == 0 {
-            *own = (bottom, count);
+    for (rows, (bottom, count)) in all.iter_mut().zip(other) {
+        if rows.1 == 0 {
+            *rows = (bottom, count);
         } else if count > 0 {
-            let low = own.0.min(bottom);
-            *own = (low, (own.0 + own.1).max(bottom + count) - low);
+            let low = rows.0.min(bottom);
+            *rows = (low, (rows.0 + rows.1).max(bottom + count) - low);
         }
     }
     all

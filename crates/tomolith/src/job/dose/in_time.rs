@@ -77,7 +77,8 @@ pub(crate) fn planned_in_time(
 impl ResolvedJob {
     /// Whether patterns are optimized against what they print in time.
     pub(crate) fn is_optimized_in_time(&self) -> bool {
-        self.schedule().is_some_and(|own| own.optimizes_cure())
+        self.schedule()
+            .is_some_and(|schedule| schedule.optimizes_cure())
     }
 
     /// The factor of patterns of light `i` that would bring a dose of 1, so that species `s` becomes solid at the end of the schedule.
@@ -93,10 +94,10 @@ impl ResolvedJob {
         let Some(needed) = material.requirement(s) else {
             return Ok(1.0 / mean);
         };
-        let of = |&(volume, capacity): &(usize, f64)| {
+        let dose_of = |&(volume, capacity): &(usize, f64)| {
             capacity * f64::from(start.volumes[volume].as_slice()[0])
         };
-        let inhibited: f64 = needed.inhibitors.iter().map(of).sum();
+        let inhibited: f64 = needed.inhibitors.iter().map(dose_of).sum();
         Ok((needed.dose + inhibited) / mean)
     }
 }

@@ -98,8 +98,8 @@ mod tests {
             "#
         );
         let mut job = ResolvedJob::under(&job_of(&text, &[]), &Work::new()).unwrap();
-        let mut said = Said(Vec::new());
-        try_orders(&mut job, &mut said, &Work::new()).unwrap();
+        let mut notes = Said(Vec::new());
+        try_orders(&mut job, &mut notes, &Work::new()).unwrap();
         let by_paths = |optics: &Optics| {
             let family = optics.family(&job.grid).unwrap();
             family.monte_carlo_paths().is_some()
@@ -107,8 +107,8 @@ mod tests {
         // A scenario is compared with the job: by one model
         let found = by_paths(&job.optics);
         let of_scenarios = job.scenarios.iter().map(|s| by_paths(&s.optics));
-        assert!(of_scenarios.into_iter().all(|own| own == found));
-        (said.0, found)
+        assert!(of_scenarios.into_iter().all(|scenario| scenario == found));
+        (notes.0, found)
     }
 
     struct Said(Vec<String>);
@@ -126,10 +126,10 @@ mod tests {
      {
         assert_eq!(tried("0.2", ""), (vec![], false));
         // 8 mm across in cells of 0.2/20 mm
-        let (said, by_paths) = tried("20", "");
+        let (notes, by_paths) = tried("20", "");
         assert!(
-            by_paths && said.len() == 1 && said[0].contains("800 × 800 cells of 0.01 mm"),
-            "{said:?}"
+            by_paths && notes.len() == 1 && notes[0].contains("800 × 800 cells of 0.01 mm"),
+            "{notes:?}"
         );
         let scenario = "scenario = [{ set = { \"resin.absorption_per_mm\" = 0.11 } }]";
         assert!(tried("20", scenario).1);

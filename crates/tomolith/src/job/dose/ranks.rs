@@ -26,22 +26,22 @@ use std::sync::Arc;
 
 /// A light with some of its frames.
 fn with_frames(light: &Light, frames: &[usize]) -> Light {
-    let mut own = light.clone();
+    let mut part = light.clone();
     let all = &light.pixels.azimuths;
-    own.pixels.azimuths = frames.iter().map(|&frame| all[frame]).collect();
-    own.selection = light.selection.mapped(|mask| match mask.is_still() {
+    part.pixels.azimuths = frames.iter().map(|&frame| all[frame]).collect();
+    part.selection = light.selection.mapped(|mask| match mask.is_still() {
         true => mask.clone(),
         false => mask.of_frames(frames),
     });
-    own
+    part
 }
 
 impl ResolvedJob {
     /// What this process came to, if no rank failed.
-    pub(crate) fn agreed<T>(&self, own: Result<T>) -> Result<T> {
+    pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
         match &self.ranks {
-            Some(ranks) => together(ranks.as_ref(), own),
-            None => own,
+            Some(ranks) => together(ranks.as_ref(), result),
+            None => result,
         }
     }
 
@@ -67,11 +67,11 @@ impl ResolvedJob {
         // Sixteen bits are a number without rounding
         let sixteens =
             |(sum, _): &(u64, String)| [0, 16, 32, 48].map(|shift| (sum >> shift & 0xffff) as f32);
-        let own = parts.each_ref().map(sixteens);
-        let mut first = own;
+        let sums = parts.each_ref().map(sixteens);
+        let mut first = sums;
         ranks.broadcast(first.as_flattened_mut());
-        let mut other = parts.into_iter().zip(own.iter().zip(&first));
-        let same = match other.find(|(_, (own, first))| own != first) {
+        let mut other = parts.into_iter().zip(sums.iter().zip(&first));
+        let same = match other.find(|(_, (sum, first))| sum != first) {
             None => Ok(()),
             Some(((_, reason), _)) => Err(Error::Unsupported {
                 what: format!("rank {}", ranks.rank()),
@@ -98,19 +98,19 @@ impl ResolvedJob {
         let Some(ranks) = &self.ranks else {
             return lights.to_vec();
         };
-        let own = |light: &Light| {
+        let part_of = |light: &Light| {
             let frames = frames_of_rank(light.pixels.frames(), ranks.rank(), ranks.size());
             with_frames(light, &frames)
         };
-        lights.iter().map(own).collect()
+        lights.iter().map(part_of).collect()
     }
 
-    /// Where the elements of every rank lie in the patterns of a level, whose layouts on this rank are `own`.
-    pub(crate) fn shares(&self, level: &Level, own: &[PatternLayout]) -> Option<Shares> {
+    /// Where the elements of every rank lie in the patterns of a level, whose layouts on this rank are `layouts`.
+    pub(crate) fn shares(&self, level: &Level, layouts: &[PatternLayout]) -> Option<Shares> {
         let ranks = self.ranks.as_ref()?;
         let lights = level.lights.iter();
         let frames: Vec<usize> = lights.map(|light| light.pixels.frames()).collect();
-        Some(Shares::new(Arc::clone(ranks), &frames, own))
+        Some(Shares::new(Arc::clone(ranks), &frames, layouts))
     }
 
     /// Whole patterns, on any pixels, as this process's part of a level's.
@@ -118,7 +118,7 @@ impl ResolvedJob {
         let Some(ranks) = &self.ranks else {
             return whole;
         };
-        let own = |(whole, light): (Patterns, &Light)| {
+        let part_of = |(whole, light): (Patterns, &Light)| {
             let whole = resample(&whole, &light.pixels);
             let frames = frames_of_rank(light.pixels.frames(), ranks.rank(), ranks.size());
             let images = frames.iter().flat_map(|&frame| whole.frame(frame));
@@ -127,7 +127,7 @@ impl ResolvedJob {
                 grid: with_frames(light, &frames).pixels,
             }
         };
-        whole.into_iter().zip(&level.lights).map(own).collect()
+        whole.into_iter().zip(&level.lights).map(part_of).collect()
     }
 
     /// The patterns of a file that the job begins with, as this process's part of a level's; None where it begins otherwise, or alone.
@@ -146,15 +146,15 @@ impl ResolvedJob {
     pub(crate) fn whole_patterns(
         &self,
         level: &Level,
-        own: Vec<Patterns>,
+        parts: Vec<Patterns>,
         everywhere: bool,
     ) -> Vec<Patterns> {
         let Some(ranks) = &self.ranks else {
-            return own;
+            return parts;
         };
         let mut all = Vec::new();
-        for (own, light) in own.iter().zip(&level.lights) {
-            let shares = ranks.gather(&own.values);
+        for (part, light) in parts.iter().zip(&level.lights) {
+            let shares = ranks.gather(&part.values);
             if !ranks.is_first() && !everywhere {
                 continue;
             }

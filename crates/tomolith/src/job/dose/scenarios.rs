@@ -14,8 +14,8 @@ impl Scenario {
     /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
     fn model(&self, job: &ResolvedJob, level: &Level, work: &Work) -> Result<HostModel> {
         let mut lights = job.own_lights(&self.optics.lights);
-        for (light, own) in lights.iter_mut().zip(&level.lights) {
-            light.sub_angles = own.sub_angles;
+        for (light, of_level) in lights.iter_mut().zip(&level.lights) {
+            light.sub_angles = of_level.sub_angles;
         }
         let scene = OpticalScene {
             lights: &lights,
@@ -40,7 +40,7 @@ pub(crate) fn joined(
         return Ok((Arc::new(model), None));
     }
     let others = resolved.scenarios.iter();
-    let others = others.map(|own| own.model(resolved, level, work));
+    let others = others.map(|scenario| scenario.model(resolved, level, work));
     let first: SharedModel = Arc::new(model);
     let all = scenarios::joined(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all

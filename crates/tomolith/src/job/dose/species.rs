@@ -59,19 +59,19 @@ pub(crate) fn joined(
     let count = optics.lights.len();
     let mut plans = Vec::with_capacity(count);
     for i in 0..count {
-        let own = OpticalScene {
+        let scene = OpticalScene {
             lights: &optics.lights[i..=i],
             optics: &optics.optics[i..=i],
             ..optics
         };
         let wanted = voxels.map(|voxels| lit_by(rows, i, voxels));
         let part = work.part(1.0 / count as f64);
-        plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
+        plans.push(planner::plan(asked, scene, grid, wanted.as_ref(), &part)?);
     }
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
         Vec::new()
     } else {
-        let of = |plan: &ModelPlan| {
+        let dark_of = |plan: &ModelPlan| {
             let pixels: usize = plan.model.patterns().iter().map(|p| p.len()).sum();
             if plan.dark.is_empty() {
                 vec![false; pixels]
@@ -79,7 +79,7 @@ pub(crate) fn joined(
                 plan.dark.clone()
             }
         };
-        plans.iter().flat_map(of).collect()
+        plans.iter().flat_map(dark_of).collect()
     };
     let reason = plans[0].reason.clone();
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
@@ -92,7 +92,7 @@ pub(crate) fn joined(
         ),
         model: MaskedModel::new(model, Vec::new(), 1.0),
         dark,
-        surrogate: surrogates.map(|own| mixed(own, rows)).transpose()?,
+        surrogate: surrogates.map(|models| mixed(models, rows)).transpose()?,
     })
 }
 

@@ -39,9 +39,9 @@ impl Contact {
         let mut both = 0.0;
         for mesh in insert.meshes() {
             for i in 0..mesh.triangles.len() {
-                in_pieces(mesh.corners(i), grid, &mut |area, beside| {
+                in_pieces(mesh.corners(i), grid, &mut |area, voxel| {
                     found.insert_mm2 += area;
-                    let Some(voxel) = beside else { return };
+                    let Some(voxel) = voxel else { return };
                     let wanted = inside.values[voxel] >= 0.5;
                     let printed = f64::from(response.values[voxel]) > threshold;
                     found.target_mm2 += if wanted { area } else { 0.0 };
@@ -100,11 +100,11 @@ fn in_pieces(
             continue;
         }
         let out = grid.pitch_mm / (2.0 * area);
-        let beside = std::array::from_fn(|i| {
+        let outside = std::array::from_fn(|i| {
             let middle = (corners[0][i] + corners[1][i] + corners[2][i]) / 3.0;
             middle + out * twice[i]
         });
-        piece(area, voxel_at(beside, grid));
+        piece(area, voxel_at(outside, grid));
     }
 }
 

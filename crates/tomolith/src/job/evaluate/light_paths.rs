@@ -84,20 +84,20 @@ fn spread(count: usize, most: usize) -> Vec<usize> {
 
 /// Rays of some frames of a light, so many at most.
 fn frames(job: &ResolvedJob, light: usize, most: usize) -> Vec<FramePaths> {
-    let (own, path) = (&job.optics.lights[light], &job.optics.paths[light]);
+    let (light, path) = (&job.optics.lights[light], &job.optics.paths[light]);
     let vial = job.optics.vial.as_ref();
     let tracer = SpaceTracer::new(
         vial,
-        own.resin,
-        own.surrounding_index,
-        own.polarization,
+        light.resin,
+        light.surrounding_index,
+        light.polarization,
         TraceLimits::default(),
     )
     .with_obstacles(path.obstacles.clone());
     let walls = vial.surfaces();
     let outer = walls.first().map(|(surface, _)| surface);
     let begin = BEFORE * vial.outer_radius_mm();
-    let pixels = &own.pixels;
+    let pixels = &light.pixels;
     let every = pixels.frames().div_ceil(most).max(1);
     let (middle_row, middle_column) = (pixels.rows / 2, pixels.columns / 2);
     let columns = spread(pixels.columns, COLUMNS).into_iter();

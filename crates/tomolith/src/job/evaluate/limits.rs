@@ -74,7 +74,8 @@ impl Asked<'_> {
         let has_time = evaluation.measures.get("time_mm").is_some();
         let of_time = self.optimized.filter(|_| s == 0 && has_time);
         let kind = headline(evaluation.half_width.is_some());
-        let of_time = of_time.and_then(|own| time::of_ceiling(self.resolved, own, kind));
+        let of_time =
+            of_time.and_then(|optimized| time::of_ceiling(self.resolved, optimized, kind));
         limits.causes.extend(of_time);
         limits
     }
@@ -91,7 +92,8 @@ impl Asked<'_> {
         let at_best = |evaluation| at_best_threshold(resolved, evaluation);
         Measurements {
             kind,
-            optimized: (print.optimization.as_ref()).and_then(|own| at_best(own).or(measured(own))),
+            optimized: (print.optimization.as_ref())
+                .and_then(|evaluation| at_best(evaluation).or(measured(evaluation))),
             written: print.written,
             own_turning: print.own_turning,
             turning: measured(evaluated),
@@ -112,22 +114,23 @@ impl Asked<'_> {
                 || (lights.iter())
                     .any(|acting| moved_pixels(acting.light, shape.bounds_mm()) > WIDE_STEP),
             lack: Lack::of(resolved, shape, &print.fine, &lights),
-            has_no_iterations: (self.optimized).is_some_and(|own| {
-                own.outcome
+            has_no_iterations: (self.optimized).is_some_and(|optimized| {
+                optimized
+                    .outcome
                     .history
                     .last()
                     .is_none_or(|row| row.iteration == 0)
             }),
-            starts_at_zero: (self.optimized).is_some_and(|own| {
-                let start = own.outcome.history.last();
+            starts_at_zero: (self.optimized).is_some_and(|optimized| {
+                let start = optimized.outcome.history.last();
                 start.is_some_and(|row| row.iteration == 0 && row.loss == 0.0)
             }),
             has_own_sub_angles: resolved.has_own_sub_angles(),
             held_by: (self.optimized)
-                .filter(|own| of_bound(resolved, &own.raw).is_some())
+                .filter(|optimized| of_bound(resolved, &optimized.raw).is_some())
                 .map(|_| resolved.showing().bound_key()),
             has_background: (self.optimized)
-                .is_some_and(|own| of_background(resolved, &own.raw).is_some()),
+                .is_some_and(|optimized| of_background(resolved, &optimized.raw).is_some()),
             best: at_best(evaluated),
             stands: resolved.evaluated_angles() == 1 && resolved.optimizes_turning(),
             ends: shape
@@ -293,16 +296,16 @@ impl Measurements {
     }
 
     fn grid(&self) -> Option<Limit> {
-        let [own, fine] = self.pitches_mm;
+        let [coarse, fine] = self.pitches_mm;
         // Of given frames it is not known on which voxels they were optimized
-        if self.saw_finer || self.optimized.is_none() || own <= 1.001 * fine {
+        if self.saw_finer || self.optimized.is_none() || coarse <= 1.001 * fine {
             return None;
         }
         let before = self.own_turning.or(self.written);
         let loss = self.loss(before, self.at_best())?;
-        let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
+        let [coarse, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
         let found = format!(
-            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimizer resolves nothing below a voxel.",
+            "On voxels of {fine} µm instead of {coarse} µm the print has {}: the optimizer resolves nothing below a voxel.",
             self.change(before?, self.at_best()?),
         );
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
@@ -313,8 +316,8 @@ impl Measurements {
         if self.saw_finer && self.unrounded.is_some() {
             return Some(([self.unrounded?, self.at_best()?], "the print has {}"));
         }
-        let own = [self.optimized?, self.written?];
-        Some((own, "the patterns have {} on the job's own voxels"))
+        let pair = [self.optimized?, self.written?];
+        Some((pair, "the patterns have {} on the job's own voxels"))
     }
 
     fn levels(&self) -> Option<Limit> {
@@ -352,7 +355,7 @@ impl Measurements {
             return Some(self.limit(Cause::Turning, loss, "evaluate.sub_angles", found, "Raise"));
         }
         let (by, key) = match &self.arcs {
-            Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
+            Some(arcs) => (format!(" by {}", arcs.text), arcs.key.as_str()),
             None => (String::new(), "light.angles"),
         };
         let key = match self.has_own_sub_angles {
@@ -385,10 +388,10 @@ impl Measurements {
         let loss = ends.share();
         let [[low, high], [below, above]] =
             [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
-        let of = ends.light.as_ref();
-        let of = of.map_or_else(String::new, |name| format!(" of {name}"));
+        let light = ends.light.as_ref();
+        let of_light = light.map_or_else(String::new, |name| format!(" of {name}"));
         let found = format!(
-            "The part ends at z = {low} and {high} mm, inside rows of pixels{of}, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
+            "The part ends at z = {low} and {high} mm, inside rows of pixels{of_light}, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
             significant(100.0 * loss, 1)
         );
         let action = "Change the part's height or place, or lower";
@@ -492,9 +495,9 @@ impl Measurements {
             let action = action("Nearly all pixels that shine are at their bound: raise");
             return (key.to_owned(), action);
         }
-        let of = self.pixel_light.as_ref();
-        let of = of.map_or_else(String::new, |name| format!(" of {name}"));
-        let action = format!("Finer pixels{of} may bring more: lower");
+        let light = self.pixel_light.as_ref();
+        let of_light = light.map_or_else(String::new, |name| format!(" of {name}"));
+        let action = format!("Finer pixels{of_light} may bring more: lower");
         (self.pixel_key.clone(), action)
     }
 
@@ -505,8 +508,8 @@ impl Measurements {
                 format!(" (before rounding {:.3})", self.unrounded?)
             }
             (Some(seen), _) if self.saw_finer => {
-                let [own, fine] = self.pitches_mm;
-                let place = match own > 1.001 * fine {
+                let [coarse, fine] = self.pitches_mm;
+                let place = match coarse > 1.001 * fine {
                     true => "on the job's own, coarser voxels",
                     false => "before the patterns are written",
                 };
@@ -577,10 +580,10 @@ impl Measurements {
                 true => "make the patterns anew: ",
                 false => "",
             };
-            let of = self.pixel_light.as_ref();
-            let of = of.filter(|_| limit.key == self.pixel_key);
-            let of = of.map_or_else(String::new, |name| format!(" ({name})"));
-            format!(" To improve, {anew}{verb} `{}`{of}.", limit.key)
+            let light = self.pixel_light.as_ref();
+            let light = light.filter(|_| limit.key == self.pixel_key);
+            let light_name = light.map_or_else(String::new, |name| format!(" ({name})"));
+            format!(" To improve, {anew}{verb} `{}`{light_name}.", limit.key)
         });
         let turning = self.value(self.turning?);
         let steps = match steps.join(", ") {

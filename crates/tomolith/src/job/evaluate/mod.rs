@@ -111,7 +111,7 @@ pub(crate) struct KeepDark {
 
 impl KeepDark {
     fn of(shares: &Volume<f32>, labels: &Volume<u8>, response: &Volume<f32>) -> Self {
-        let of = |marked: &dyn Fn(usize) -> bool| {
+        let sums_of = |marked: &dyn Fn(usize) -> bool| {
             let values = response.values.iter().enumerate();
             values
                 .filter(|(i, _)| marked(*i))
@@ -120,8 +120,8 @@ impl KeepDark {
                 })
         };
         let mean = |n: usize, sum: f64| sum / n.max(1) as f64;
-        let (voxels, sum, largest) = of(&|i| shares.values[i] >= 0.5);
-        let (part, part_sum, _) = of(&|i| labels.values[i] == label::PART);
+        let (voxels, sum, largest) = sums_of(&|i| shares.values[i] >= 0.5);
+        let (part, part_sum, _) = sums_of(&|i| labels.values[i] == label::PART);
         KeepDark {
             volume_mm3: voxels as f64 * shares.grid.voxel_mm3(),
             mean: mean(voxels, sum),
@@ -217,7 +217,8 @@ pub(crate) fn evaluate_patterns(
     let first = &species[0];
     let shares = job.keep_dark(&grid)?;
     let keep_dark = shares.as_ref();
-    let keep_dark = keep_dark.map(|of| KeepDark::of(of, &first.fine.labels, &first.response));
+    let keep_dark =
+        keep_dark.map(|shares| KeepDark::of(shares, &first.fine.labels, &first.response));
     let bodies = job.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
         let text = format!("keep-dark bodies get {dark}");
@@ -292,19 +293,19 @@ fn in_scenarios(
 /// Copies for an observer that wants them: the written patterns and what they print.
 fn show(
     shown: &[Patterns],
-    all: &[Species],
-    species: &[SpeciesPrint],
+    species: &[Species],
+    prints: &[SpeciesPrint],
     progress: &mut dyn Progress,
 ) {
     let wants = progress.wants();
     if !wants.any() {
         return;
     }
-    let copies = |is_wanted: bool, of: fn(&SpeciesPrint) -> &Volume<f32>| {
-        let all = species.iter().filter(|_| is_wanted);
-        all.map(|own| of(own).clone()).collect()
+    let copies = |is_wanted: bool, volume_of: fn(&SpeciesPrint) -> &Volume<f32>| {
+        let all = prints.iter().filter(|_| is_wanted);
+        all.map(|print| volume_of(print).clone()).collect()
     };
-    let each = all.iter().zip(species).filter(|_| wants.target);
+    let each = species.iter().zip(prints).filter(|_| wants.target);
     progress.snapshot(Snapshot {
         iteration: None,
         patterns: if wants.patterns {
@@ -312,9 +313,11 @@ fn show(
         } else {
             Vec::new()
         },
-        dose: copies(wants.dose, |own| &own.dose),
-        print: copies(wants.print, |own| &own.response),
-        target: each.map(|(own, print)| print.fine.shown(own)).collect(),
+        dose: copies(wants.dose, |print| &print.dose),
+        print: copies(wants.print, |print| &print.response),
+        target: each
+            .map(|(species, print)| print.fine.shown(species))
+            .collect(),
     });
 }
 
@@ -415,16 +418,17 @@ fn together(
     progress: &mut dyn Progress,
 ) -> Option<OneExposure> {
     // Gray values have no threshold that one dose could meet
-    let is_gray = |own: &SpeciesPrint| own.evaluation.half_width.is_some();
+    let is_gray = |print: &SpeciesPrint| print.evaluation.half_width.is_some();
     if prints.len() < 2 || prints.iter().any(is_gray) {
         return None;
     }
     let named = || {
         let species = job.species.iter().zip(prints);
-        species.map(|(own, print)| (own.name.as_deref().unwrap_or_default(), own, print))
+        species
+            .map(|(species, print)| (species.name.as_deref().unwrap_or_default(), species, print))
     };
-    let over_doses = |(name, own, print): (_, &Species, &SpeciesPrint)| {
-        let response = &own.goal.response;
+    let over_doses = |(name, species, print): (_, &Species, &SpeciesPrint)| {
+        let response = &species.goal.response;
         let dose =
             |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
         let curve: Vec<[f64; 2]> = print.evaluation.curve.iter().map(dose).collect();
@@ -440,9 +444,9 @@ fn together(
     for ((name, _, print), iou) in named().zip(&together.iou) {
         let evaluation = &print.evaluation;
         let alone = evaluation.measures.get("iou").zip(evaluation.gel_threshold);
-        if let Some((own, threshold)) = alone {
+        if let Some((best, threshold)) = alone {
             let text = format!(
-                "{name}: IoU {own:.4} at a threshold of {threshold:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
+                "{name}: IoU {best:.4} at a threshold of {threshold:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
                 together.gel_dose
             );
             progress.event(&Event::Note { text });
@@ -593,7 +597,7 @@ mod tests {
             let raw = has_raw.then_some(&shown[..]);
             evaluate_patterns(&job, voxels, &shown, raw, None, &mut Silent, &run).unwrap()
         };
-        let of = |changes: &[&str], has_raw| {
+        let steps_of = |changes: &[&str], has_raw| {
             let evaluated = evaluated(changes, has_raw);
             let print = evaluated.first();
             let iou = |print: &Evaluation| print.measures.get("iou");
@@ -601,21 +605,24 @@ mod tests {
             let steps = [unwritten, print.written, print.own_turning];
             (steps, iou(&print.evaluation))
         };
-        let (own, own_print) = of(&["evaluate.refine=1"], true);
-        let ([unwritten, written, turning], fine_print) = of(&["evaluate.refine=2"], true);
+        let (coarse, coarse_print) = steps_of(&["evaluate.refine=1"], true);
+        let ([unwritten, written, turning], fine_print) = steps_of(&["evaluate.refine=2"], true);
         assert!(unwritten.is_some() && unwritten == written && written != turning);
-        assert!(turning == own_print && turning != fine_print);
-        assert_eq!(own, [unwritten, written, turning]);
+        assert!(turning == coarse_print && turning != fine_print);
+        assert_eq!(coarse, [unwritten, written, turning]);
         // Of frames
         for refine in ["evaluate.refine=1", "evaluate.refine=2"] {
-            assert_eq!(of(&[refine], false).0, [None, written, turning]);
+            assert_eq!(steps_of(&[refine], false).0, [None, written, turning]);
         }
         // Nothing to ask
         let counted = ["evaluate.refine=2", "light.sub_angles=4"];
-        assert_eq!(of(&counted, true).0, [turning, turning, None]);
-        assert_eq!(of(&counted, false).0, [None; 3]);
+        assert_eq!(steps_of(&counted, true).0, [turning, turning, None]);
+        assert_eq!(steps_of(&counted, false).0, [None; 3]);
         let standing = ["evaluate.refine=1", "evaluate.sub_angles=1"];
-        assert_eq!(of(&standing, true), ([written, written, None], written));
+        assert_eq!(
+            steps_of(&standing, true),
+            ([written, written, None], written)
+        );
     }
 
     #[test]

@@ -140,8 +140,8 @@ impl fmt::Display for Noise {
 /// Noise of one of two equal measurements in part and void, over the part's mean.
 fn differences(first: &Volume<f32>, second: &Volume<f32>, labels: &Volume<u8>) -> [f64; 2] {
     let (mut squares, mut counts, mut sum) = ([0.0; 2], [0.0; 2], 0.0);
-    for ((&a, &b), &of) in first.values.iter().zip(&second.values).zip(&labels.values) {
-        let place = match of {
+    for ((&a, &b), &label) in first.values.iter().zip(&second.values).zip(&labels.values) {
+        let place = match label {
             label::PART => 0,
             label::VOID => 1,
             _ => continue,

@@ -30,7 +30,7 @@ pub(crate) fn measured(
         layout: &layout,
     };
     let objectives = job.first().goal.objectives().iter();
-    objectives.map(|own| on.report(own)).collect()
+    objectives.map(|objective| on.report(objective)).collect()
 }
 
 /// A dose, and where it lies.
@@ -42,20 +42,20 @@ struct On<'a> {
 }
 
 impl On<'_> {
-    fn report(&self, own: &JobObjective) -> Result<ObjectiveReport> {
-        let labels = self.labels(own)?;
+    fn report(&self, objective: &JobObjective) -> Result<ObjectiveReport> {
+        let labels = self.labels(objective)?;
         let counted = labels.iter().filter(|label| **label != label::OUTSIDE);
         let voxels = counted.count() as u64;
         let gray = &self.voxels.target;
         let errors = gray.gray.then(|| {
-            let response = self.response(own);
+            let response = self.response(objective);
             gray_errors(&labels, &response, &gray.inside.values, 0.0)
         });
         let errors = errors.flatten();
         Ok(ObjectiveReport {
-            key: own.key.clone(),
-            weight: own.common.weight,
-            loss: self.loss(own)?.filter(|loss| loss.is_finite()),
+            key: objective.key.clone(),
+            weight: objective.common.weight,
+            loss: self.loss(objective)?.filter(|loss| loss.is_finite()),
             voxels,
             rms_error: errors.map(|errors| errors.rms),
             max_error: errors.and_then(|e| e.largest.into_iter().flatten().reduce(f64::max)),
@@ -63,8 +63,8 @@ impl On<'_> {
     }
 
     /// Its loss without its factor in the sum; None where a dose per voxel does not tell it.
-    fn loss(&self, own: &JobObjective) -> Result<Option<f64>> {
-        if own.has_cells() || self.job.is_optimized_in_time() {
+    fn loss(&self, objective: &JobObjective) -> Result<Option<f64>> {
+        if objective.has_cells() || self.job.is_optimized_in_time() {
             return Ok(None);
         }
         let input = ObjectiveInput {
@@ -73,13 +73,13 @@ impl On<'_> {
             target: &self.voxels.target,
             response: self.job.first().goal.response.clone(),
         };
-        let objective = own.build(&input, &self.job.base, true)?;
+        let built = objective.build(&input, &self.job.base, true)?;
         let dose = HostField::from_slice(&self.layout.field_of(self.dose));
-        Ok(Some(objective.value(&dose)))
+        Ok(Some(built.value(&dose)))
     }
 
     /// Labels of the voxels that count for it; all others are outside.
-    fn labels(&self, own: &JobObjective) -> Result<Vec<u8>> {
+    fn labels(&self, objective: &JobObjective) -> Result<Vec<u8>> {
         let ground = Ground {
             layout: self.layout,
             labels: &self.voxels.labels,
@@ -87,7 +87,7 @@ impl On<'_> {
             base: &self.job.base,
         };
         let mut labels = self.voxels.labels.values.clone();
-        let weight = own.common.voxel_weights(&ground)?.weight;
+        let weight = objective.common.voxel_weights(&ground)?.weight;
         if !weight.is_empty() {
             let weight = self.layout.volume_of(&weight).values;
             elements(&mut labels, |i, label| {
@@ -99,10 +99,12 @@ impl On<'_> {
         Ok(labels)
     }
 
-    fn response(&self, own: &JobObjective) -> Vec<f32> {
+    fn response(&self, objective: &JobObjective) -> Vec<f32> {
         let mut values = self.dose.values.clone();
-        if !own.response.is_identity() {
-            elements(&mut values, |_, value| *value = own.response.value(*value));
+        if !objective.response.is_identity() {
+            elements(&mut values, |_, value| {
+                *value = objective.response.value(*value)
+            });
         }
         values
     }
@@ -167,14 +169,14 @@ mod tests {
             ("objectives[1].bclp", 0.0, 8, [2.0, 0.125f64.sqrt(), 0.75]),
         ];
         assert_eq!(found.len(), 2);
-        for (own, (key, weight, voxels, numbers)) in found.iter().zip(expected) {
+        for (report, (key, weight, voxels, numbers)) in found.iter().zip(expected) {
             assert_eq!(
-                (own.key.as_str(), own.weight, own.voxels),
+                (report.key.as_str(), report.weight, report.voxels),
                 (key, weight, voxels)
             );
-            let own = [own.loss, own.rms_error, own.max_error].map(Option::unwrap);
-            for (own, number) in own.iter().zip(numbers) {
-                assert!((own - number).abs() < 1e-6, "{key}: {own} for {number}");
+            let values = [report.loss, report.rms_error, report.max_error].map(Option::unwrap);
+            for (value, number) in values.iter().zip(numbers) {
+                assert!((value - number).abs() < 1e-6, "{key}: {value} for {number}");
             }
         }
     }

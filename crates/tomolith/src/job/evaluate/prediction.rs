@@ -55,8 +55,8 @@ impl ResolvedJob {
         let in_time = evaluated.in_time.as_ref().map(InTime::summary);
         let is_several = self.species.len() > 1;
         let named = self.species.iter().zip(&evaluated.species);
-        let named = named.filter(|_| is_several).map(|(own, print)| {
-            let name = own.name.clone().unwrap_or_default();
+        let named = named.filter(|_| is_several).map(|(species, print)| {
+            let name = species.name.clone().unwrap_or_default();
             (name, print.evaluation.clone())
         });
         Ok(Prediction {

@@ -18,15 +18,15 @@ pub(crate) fn properties(job: &ResolvedJob, evaluated: &Evaluated) -> Vec<Proper
         return Vec::new();
     }
     let mut responses = Vec::new();
-    for (own, print) in job.species.iter().zip(&evaluated.species) {
+    for (species, print) in job.species.iter().zip(&evaluated.species) {
         let gel = print.evaluation.gel_threshold;
         let gel = gel.map_or(f32::INFINITY, |gel| gel as f32);
-        responses.push((own.goal.responses(print.dose.clone()), gel));
+        responses.push((species.goal.responses(print.dose.clone()), gel));
     }
     let mut properties = Vec::new();
-    for own in &job.properties {
-        let of = &responses[own.of].0;
-        let over = own.over.map(|s| &responses[s].0);
+    for property in &job.properties {
+        let mapped = &responses[property.species].0;
+        let over = property.over.map(|s| &responses[s].0);
         let value = |v: usize| {
             if !responses
                 .iter()
@@ -35,20 +35,20 @@ pub(crate) fn properties(job: &ResolvedJob, evaluated: &Evaluated) -> Vec<Proper
                 return f32::NAN;
             }
             let ratio = over.map_or(1.0, |over| over.values[v].max(f32::MIN_POSITIVE));
-            let value = own.map.value(of.values[v] / ratio);
-            if own.is_logarithmic {
+            let value = property.map.value(mapped.values[v] / ratio);
+            if property.is_logarithmic {
                 10f32.powf(value)
             } else {
                 value
             }
         };
         properties.push(Property {
-            name: own.name.clone(),
-            unit: own.unit.clone(),
-            is_logarithmic: own.is_logarithmic,
+            name: property.name.clone(),
+            unit: property.unit.clone(),
+            is_logarithmic: property.is_logarithmic,
             values: Volume {
-                grid: of.grid.clone(),
-                values: (0..of.values.len()).map(value).collect(),
+                grid: mapped.grid.clone(),
+                values: (0..mapped.values.len()).map(value).collect(),
             },
         });
     }

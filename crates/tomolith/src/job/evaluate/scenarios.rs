@@ -13,7 +13,7 @@ use crate::report::{ScenarioRow, ScenarioTable};
 pub(crate) fn table(
     resolved: &ResolvedJob,
     labels: &[u8],
-    own: &Volume<f32>,
+    response: &Volume<f32>,
     threshold: Option<f64>,
     mut response_of: impl FnMut(&Scenario) -> Result<Volume<f32>>,
 ) -> Result<Option<ScenarioTable>> {
@@ -32,12 +32,12 @@ pub(crate) fn table(
             void_high: out,
         })
     };
-    let mut rows = vec![row("the job", own)?];
+    let mut rows = vec![row("the job", response)?];
     for scenario in &resolved.scenarios {
         rows.push(row(&scenario.name, &response_of(scenario)?)?);
     }
-    let of = name_of_join(resolved);
-    Ok(Some(ScenarioTable::new(of, threshold, rows)))
+    let join = name_of_join(resolved);
+    Ok(Some(ScenarioTable::new(join, threshold, rows)))
 }
 
 #[cfg(test)]
@@ -51,7 +51,7 @@ mod tests {
         let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
         let resolved = &job;
         let labels = &job.own_voxels(&Work::new()).unwrap()[0].labels;
-        let own = Volume {
+        let response = Volume {
             grid: labels.grid.clone(),
             values: labels
                 .values
@@ -61,11 +61,11 @@ mod tests {
         };
         let halved = |_: &Scenario| {
             Ok(Volume {
-                grid: own.grid.clone(),
-                values: own.values.iter().map(|v| 0.5 * v).collect(),
+                grid: response.grid.clone(),
+                values: response.values.iter().map(|v| 0.5 * v).collect(),
             })
         };
-        let table = table(resolved, &labels.values, &own, Some(0.75), halved)
+        let table = table(resolved, &labels.values, &response, Some(0.75), halved)
             .unwrap()
             .unwrap();
         // Half the dose is right at half the threshold, and prints nothing at that of the job

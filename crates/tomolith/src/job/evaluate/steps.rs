@@ -28,7 +28,7 @@ pub(super) struct EvaluationSteps<'a> {
     work: &'a Work,
     /// The finer voxels.
     pub(super) grid: VolumeGrid,
-    own: Exposed,
+    as_optimized: Exposed,
     own_turning: Exposed,
     turning: Exposed,
     pub(super) sub_angles: usize,
@@ -50,7 +50,7 @@ impl<'a> EvaluationSteps<'a> {
             job,
             shown,
             work,
-            own: Exposed::new(&job.grid, job.optics.lights.clone()),
+            as_optimized: Exposed::new(&job.grid, job.optics.lights.clone()),
             grid,
             own_turning,
             turning,
@@ -80,17 +80,18 @@ impl<'a> EvaluationSteps<'a> {
         };
         let (job, work) = (self.job, self.work);
         self.doses.will_show(&[raw, self.shown]);
-        let (doses, _) = (self.doses).of(&self.own, raw, &work.part(share::OWN_DOSE))?;
+        let (doses, _) = (self.doses).of(&self.as_optimized, raw, &work.part(share::OWN_DOSE))?;
         let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
         work.check()?;
         let stats = PatternStats::of(raw);
         let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
         let sub_angles = sub_angles.max().unwrap_or(1);
         let each = job.species.iter().zip(voxels).zip(doses);
-        let each = each.map(|((own, voxels), dose)| {
-            let response = own.goal.responses(dose);
+        let each = each.map(|((species, voxels), dose)| {
+            let response = species.goal.responses(dose);
             let work = work.part(share::OWN_NUMBERS / job.species.len() as f64);
-            let print = print(job, own, voxels, &response, work.part(1.0))?.with_patterns(stats);
+            let print =
+                print(job, species, voxels, &response, work.part(1.0))?.with_patterns(stats);
             let evaluation = evaluate(&print);
             // Numbers of a canceled run mean nothing
             work.check()?;
@@ -107,9 +108,9 @@ impl<'a> EvaluationSteps<'a> {
     ) -> Result<[Option<OwnPrint>; 2]> {
         let misses_turning = self.job.misses_turning();
         let written = (has_raw || misses_turning)
-            .then(|| self.own_print(self.own.clone(), voxels))
+            .then(|| self.own_print(self.as_optimized.clone(), voxels))
             .transpose()?;
-        if has_raw && self.own != self.turning {
+        if has_raw && self.as_optimized != self.turning {
             self.doses.will_show(&[self.shown]);
         }
         let turning = misses_turning
@@ -128,9 +129,9 @@ impl<'a> EvaluationSteps<'a> {
         Ok(OwnPrint::Apart(measured))
     }
 
-    pub(super) fn fine_voxels(&self, own: &[Voxels]) -> Result<Vec<Voxels>> {
+    pub(super) fn fine_voxels(&self, voxels: &[Voxels]) -> Result<Vec<Voxels>> {
         if self.grid == self.job.grid {
-            return Ok(own.to_vec());
+            return Ok(voxels.to_vec());
         }
         (self.job).voxels(&self.grid, &self.work.part(share::SAMPLING))
     }
@@ -141,7 +142,7 @@ impl<'a> EvaluationSteps<'a> {
         fine: &[Voxels],
         raw: Option<&[Patterns]>,
     ) -> Result<Vec<Measure>> {
-        let is_gray = fine.iter().any(|own| own.target.gray);
+        let is_gray = fine.iter().any(|voxels| voxels.target.gray);
         let has_few = self.job.evaluation().bit_depth < ENOUGH_BITS && !is_gray;
         let Some(raw) = raw.filter(|_| has_few) else {
             return Ok(Vec::new());
@@ -168,10 +169,10 @@ impl<'a> EvaluationSteps<'a> {
     ) -> Result<Vec<Measure>> {
         let job = self.job;
         let each = job.species.iter().zip(voxels).zip(doses);
-        let each = each.map(|((own, voxels), dose)| {
-            let response = own.goal.responses(dose);
+        let each = each.map(|((species, voxels), dose)| {
+            let response = species.goal.responses(dose);
             let work = self.work.part(share / job.species.len() as f64);
-            let print = print(job, own, voxels, &response, work)?;
+            let print = print(job, species, voxels, &response, work)?;
             Ok(match print.best() {
                 Some(best) if !voxels.target.gray => Some(best.iou),
                 _ => (headline(voxels.target.gray).measure)(&print),

@@ -200,12 +200,12 @@ fn find_on(
     let per_frame = |(fine, coarse): (&usize, &usize)| *coarse as f64 / *fine as f64;
     let per_frame: Vec<f64> = fine.iter().zip(&coarse).map(per_frame).collect();
     let brightest: Vec<f64> = (tried.brightest.iter().zip(&per_frame))
-        .map(|(own, share)| own * share)
+        .map(|(bright, share)| bright * share)
         .collect();
     let largest = tried.good.map(|i| {
         brightest
             .iter()
-            .map(|own| own * tried.points[i].factor)
+            .map(|bright| bright * tried.points[i].factor)
             .collect()
     });
     Ok(Some(FoundCeiling {
@@ -243,7 +243,7 @@ fn finest(job: &ResolvedJob) -> &Level {
 /// The level on which ceilings are tried; None for a job that stays within the bound of its start.
 fn coarser_level(job: &ResolvedJob, voxels: &[Voxels]) -> Option<Level> {
     let (stop, method, finest) = (job.stop(), &job.method, finest(job));
-    let goals = job.species.iter().map(|own| &own.goal);
+    let goals = job.species.iter().map(|species| &species.goal);
     let mut lights = 0..job.optics.lights.len();
     let names_largest = lights.any(|light| job.bounds_of(light).1.is_some());
     let files = method.start.files();
@@ -255,7 +255,7 @@ fn coarser_level(job: &ResolvedJob, voxels: &[Voxels]) -> Option<Level> {
         || has_given
         || job.schedule().is_some()
         || has_scale
-        || voxels.iter().any(|own| own.target.gray)
+        || voxels.iter().any(|voxels| voxels.target.gray)
         || job.evaluation().has_few_levels()
         || !job.scenarios.is_empty()
         || job.bounds().bits.is_some()
@@ -294,8 +294,8 @@ impl Search<'_> {
     fn descend(&self, mut x: HostField) -> Result<(Tried, HostField)> {
         let lights = self.stage.model.patterns().iter();
         let brightest = lights.map(|light| {
-            let own = &x.as_slice()[light.range()];
-            f64::from(own.iter().fold(0.0f32, |most, &value| most.max(value)))
+            let pixels = &x.as_slice()[light.range()];
+            f64::from(pixels.iter().fold(0.0f32, |most, &value| most.max(value)))
         });
         let brightest = brightest.collect();
         let mut tried = Tried {
@@ -306,12 +306,12 @@ impl Search<'_> {
             }],
             good: None,
         };
-        if tried.brightest.iter().any(|&own| own <= 0.0) {
+        if tried.brightest.iter().any(|&bright| bright <= 0.0) {
             return Ok((tried, x));
         }
         let is_above = |factor: f64| {
             let mut lights = self.of_start.iter().zip(&tried.brightest);
-            lights.all(|(own, bright)| bright * factor > own.min)
+            lights.all(|(start, bright)| bright * factor > start.min)
         };
         let lowest = (0..=MOST_HALVES)
             .map(|n| 0.5f64.powi(n))
@@ -335,23 +335,23 @@ impl Search<'_> {
     /// The patterns under a ceiling, from those above it; None where they print worse than the job tolerates.
     fn one(&self, tried: &mut Tried, x: &HostField, factor: f64) -> Result<Option<HostField>> {
         let (stage, work) = (self.stage, self.work);
-        let ceiling = |(own, bright): (&Limits, &f64)| Limits {
-            min: own.min,
+        let ceiling = |(start, bright): (&Limits, &f64)| Limits {
+            min: start.min,
             max: bright * factor,
         };
         let lights = self.of_start.iter().zip(&tried.brightest);
         let limits: Vec<Limits> = lights.map(ceiling).collect();
         let each = stage.level.until.div_ceil(3).min(EACH);
-        let mut own = x.clone();
-        clip(&mut own, stage.model.patterns(), &limits)?;
-        stage.improve_within(&mut own, &limits, each, work)?;
-        let qualities = stage.qualities(&own, true, work)?;
+        let mut lowered = x.clone();
+        clip(&mut lowered, stage.model.patterns(), &limits)?;
+        stage.improve_within(&mut lowered, &limits, each, work)?;
+        let qualities = stage.qualities(&lowered, true, work)?;
         let is_good = are_good(stage.job, FACTOR, &tried.points[0].qualities, &qualities);
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
             tried.good = Some(tried.points.len() - 1);
         }
-        Ok(is_good.then_some(own))
+        Ok(is_good.then_some(lowered))
     }
 }
 
@@ -360,19 +360,19 @@ pub(crate) fn are_good(
     job: &ResolvedJob,
     wider: usize,
     others: &[CeilingQuality],
-    own: &[CeilingQuality],
+    qualities: &[CeilingQuality],
 ) -> bool {
     let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
-    let within = |(other, own): (&CeilingQuality, &CeilingQuality)| {
-        let [other, own] = [other, own].map(CeilingQuality::numbers);
+    let within = |(other, quality): (&CeilingQuality, &CeilingQuality)| {
+        let [other, quality] = [other, quality].map(CeilingQuality::numbers);
         // Where nothing is known of surfaces, that is not more
-        let is_farther = own[2] > other[2] * (1.0 + tolerance.deviation);
-        own[0] >= other[0] - wider * tolerance.iou
-            && own[1] <= other[1] + wider * tolerance.ver
-            && own[3] >= other[3] * (1.0 - tolerance.latitude)
+        let is_farther = quality[2] > other[2] * (1.0 + tolerance.deviation);
+        quality[0] >= other[0] - wider * tolerance.iou
+            && quality[1] <= other[1] + wider * tolerance.ver
+            && quality[3] >= other[3] * (1.0 - tolerance.latitude)
             && !is_farther
     };
-    others.iter().zip(own).all(within)
+    others.iter().zip(qualities).all(within)
 }
 
 impl Stage<'_> {

@@ -84,11 +84,11 @@ fn excess(x: &HostField, stage: &Stage<'_>, bounds: &[Limits], part: f64) -> f64
 
 /// Ceilings times a factor, within those that there may be.
 fn scaled(bounds: &[Limits], highest: &[Limits], factor: f64) -> Vec<Limits> {
-    let of = |(own, highest): (&Limits, &Limits)| Limits {
-        min: own.min,
-        max: (own.max * factor).clamp(own.min, highest.max),
+    let limits_of = |(bound, highest): (&Limits, &Limits)| Limits {
+        min: bound.min,
+        max: (bound.max * factor).clamp(bound.min, highest.max),
     };
-    bounds.iter().zip(highest).map(of).collect()
+    bounds.iter().zip(highest).map(limits_of).collect()
 }
 
 /// What further iterations are done with.
@@ -118,8 +118,8 @@ impl GoOn<'_, '_> {
         self.stage.run(x, around)
     }
 
-    fn is_as_good(&self, own: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
-        are_good(self.stage.job, 1, other, own)
+    fn is_as_good(&self, qualities: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
+        are_good(self.stage.job, 1, other, qualities)
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.
@@ -168,9 +168,9 @@ impl GoOn<'_, '_> {
             changed_by: 1.0,
         };
         let mut outcome = ended.outcome;
-        let mut own = trial.before.clone();
+        let mut qualities = trial.before.clone();
         for step in [std::f64::consts::SQRT_2, 2.0] {
-            if outcome.reason == StopReason::Canceled || self.is_as_good(&own, &trial.after) {
+            if outcome.reason == StopReason::Canceled || self.is_as_good(&qualities, &trial.after) {
                 break;
             }
             trial.changed_by = step;
@@ -178,7 +178,7 @@ impl GoOn<'_, '_> {
                 .bounds
                 .clone_from_slice(&scaled(&lowest, ended.highest, step));
             outcome = self.on(ended.x, ended.bounds, &outcome)?;
-            own = stage.qualities(ended.x, false, self.work)?;
+            qualities = stage.qualities(ended.x, false, self.work)?;
         }
         Ok((outcome, trial))
     }

@@ -70,8 +70,8 @@ pub(crate) fn rehearse(
     let all = |paces: Vec<f64>| {
         let mut before = 0;
         let of_levels = job.levels.iter().zip(&paces).map(|(level, pace)| {
-            let own = level.until - std::mem::replace(&mut before, level.until);
-            own as f64 * pace
+            let iterations = level.until - std::mem::replace(&mut before, level.until);
+            iterations as f64 * pace
         });
         of_levels.sum::<f64>() + more as f64 * paces.last().copied().unwrap_or(0.0)
     };

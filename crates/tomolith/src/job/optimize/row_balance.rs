@@ -55,7 +55,7 @@ pub(crate) fn level(
         let before = *first.get_or_insert(spread);
         if round == ROUNDS || times.iter().all(|times| width(times) < LEVEL) {
             progress.event(&Event::Note {
-                text: said(before, spread, round),
+                text: sentence(before, spread, round),
             });
             break;
         }
@@ -90,12 +90,12 @@ fn times(
         IdealExposure::NotReached(share) => end_s / share.max(1.0 / MOST),
         IdealExposure::NoRequirement => end_s,
     };
-    let of = |heights: &Heights| -> Times {
+    let times_of = |heights: &Heights| -> Times {
         let done = heights.done().into_iter().enumerate();
         done.filter_map(|(z, done)| Some([job.grid.z(z), seconds(done?)]))
             .collect()
     };
-    Ok((heights.iter().map(of).collect(), end_s))
+    Ok((heights.iter().map(times_of).collect(), end_s))
 }
 
 fn mean(times: &Times) -> f64 {
@@ -117,7 +117,7 @@ fn width(times: &Times) -> f64 {
     (last - first) / mean(times)
 }
 
-fn said([a, b]: [f64; 2], [c, d]: [f64; 2], rounds: usize) -> String {
+fn sentence([a, b]: [f64; 2], [c, d]: [f64; 2], rounds: usize) -> String {
     let (before, now) = (told_apart(&[a, b], 3), told_apart(&[c, d], 3));
     format!(
         "rows of the patterns are rescaled {rounds} times: heights were done between {} and {} s, and are now between {} and {} s",

@@ -180,9 +180,9 @@ impl<'a> Stage<'a> {
     }
 
     pub(crate) fn start(&self, start: &dyn InitialPatterns, work: &Work) -> Result<HostField> {
-        let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
+        let model = self.nominal.as_deref().unwrap_or(self.model.as_ref());
         let straight = self.straight.as_deref();
-        let mut x = starting_patterns(self.job, &self.voxels, own, straight, start, work)?;
+        let mut x = starting_patterns(self.job, &self.voxels, model, straight, start, work)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
@@ -226,22 +226,22 @@ impl<'a> Stage<'a> {
 
     fn objective_of_job(&self, wider: usize) -> Result<Sum<HostField>> {
         let (job, outputs) = (self.job, self.model.outputs());
-        let of = |own: &Species, layout: &DoseLayout, voxels: &Voxels| {
-            let goal = goal_of(own, wider);
-            job.objective(own, goal.on_host(), layout, voxels)
+        let objective_of = |species: &Species, layout: &DoseLayout, voxels: &Voxels| {
+            let goal = goal_of(species, wider);
+            job.objective(species, goal.on_host(), layout, voxels)
         };
         if let [output] = outputs {
-            return of(job.first(), output, &self.voxels[0]);
+            return objective_of(job.first(), output, &self.voxels[0]);
         }
         // Scenarios, which one species has, ask the same of every output
         let asked = job.species.iter().zip(self.voxels.iter()).cycle();
         let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
-        for ((own, voxels), layout) in asked.zip(outputs) {
+        for ((species, voxels), layout) in asked.zip(outputs) {
             let alone = DoseLayout {
                 offset: 0,
                 ..layout.clone()
             };
-            parts.push((layout, Box::new(of(own, &alone, voxels)?)));
+            parts.push((layout, Box::new(objective_of(species, &alone, voxels)?)));
         }
         let joined = PerBlock::new(parts, scenarios::join(job));
         Sum::new(vec![(1.0, Box::new(joined))])
@@ -253,7 +253,12 @@ impl<'a> Stage<'a> {
 
     /// The process window of patterns, where an objective looks for it.
     fn window(&self, x: &HostField, work: &Work) -> Result<Option<FoundWindow>> {
-        if !self.job.species.iter().any(|own| own.goal.seeks_window()) {
+        if !self
+            .job
+            .species
+            .iter()
+            .any(|species| species.goal.seeks_window())
+        {
             return Ok(None);
         }
         let mut dose = self.model.new_dose()?;
@@ -275,7 +280,9 @@ impl<'a> Stage<'a> {
         work: &Work,
     ) -> Result<Option<Vec<Patterns>>> {
         let job = self.job;
-        let asked = job.schedule().is_some_and(|own| own.level_heights);
+        let asked = job
+            .schedule()
+            .is_some_and(|schedule| schedule.level_heights);
         if !asked {
             return Ok(None);
         }
@@ -311,7 +318,7 @@ impl<'a> Stage<'a> {
             if outcome.reason != StopReason::ZeroLoss || at >= until {
                 break;
             }
-            let is_wider = |own: &Species| refinement::widened(&own.goal, steps).is_some();
+            let is_wider = |species: &Species| refinement::widened(&species.goal, steps).is_some();
             if !self.job.species.iter().any(is_wider) {
                 break;
             }

@@ -101,9 +101,9 @@ fn starting_lights(
         let absorption = job.optics.lights[i].absorption_on(&voxels[s].labels.grid);
         let (map, limits) = (absorption.as_ref(), &limits[i..=i]);
         let input = start_input(&*alone, &voxels[s], map, response, limits);
-        let mut own = start.patterns(&input, work)?;
-        own.scale((factor * job.dose_needed(s, i)?) as f32);
-        x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
+        let mut patterns = start.patterns(&input, work)?;
+        patterns.scale((factor * job.dose_needed(s, i)?) as f32);
+        x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(patterns.as_slice());
     }
     Ok(x)
 }
@@ -141,11 +141,11 @@ pub(crate) fn limits(
     let quantity = model.quantity();
     let of_all = start.max_abs();
     let alone = |layout: &PatternLayout| {
-        let own = &start.as_slice()[layout.range()];
-        let own = own.iter().fold(0.0f32, |most, v| most.max(v.abs()));
-        let own = start.largest(own);
+        let pixels = &start.as_slice()[layout.range()];
+        let brightest = pixels.iter().fold(0.0f32, |most, v| most.max(v.abs()));
+        let largest = start.largest(brightest);
         // A light that begins dark may become as bright as the others
-        if own > 0.0 { own } else { of_all }
+        if largest > 0.0 { largest } else { of_all }
     };
     let lights = model.patterns().iter().enumerate();
     let limits = lights.map(|(light, layout)| {
@@ -195,17 +195,17 @@ impl Stage<'_> {
         let mut patterns = self.start(start, work)?;
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
             None => (self.limits(&patterns), None),
-            Some(own) => {
-                let model = model.filter(|_| !own.is_given());
+            Some(bounds_as) => {
+                let model = model.filter(|_| !bounds_as.is_given());
                 let key = model.map(|model| start_key(model, job)).transpose()?;
-                let own = match cache.take_start(key) {
-                    Some(own) => own,
-                    None => self.bounding(own, work)?,
+                let bounding = match cache.take_start(key) {
+                    Some(bounding) => bounding,
+                    None => self.bounding(bounds_as, work)?,
                 };
-                let bounds = self.limits(&own.patterns);
+                let bounds = self.limits(&bounding.patterns);
                 let of_dose = |dose| Ok(self.objective(0)?.value(dose));
-                let loss = own.dose.as_ref().map(of_dose).transpose()?;
-                cache.put_start(key, own);
+                let loss = bounding.dose.as_ref().map(of_dose).transpose()?;
+                cache.put_start(key, bounding);
                 clip(&mut patterns, self.model.patterns(), &bounds)?;
                 (bounds, loss)
             }
@@ -252,11 +252,11 @@ impl Stage<'_> {
             ahead.axpy(1.0, &given);
             Ok(ahead)
         };
-        let own = || Ok(given.clone());
+        let as_given = || Ok(given.clone());
         let of_files = (files.or.iter()).map(|file| self.start(file, work));
         let further = of_files.chain(files.step.iter().map(ahead));
         let further = further.filter(|_| self.job.ranks.is_none());
-        for candidate in std::iter::once_with(own).chain(further) {
+        for candidate in std::iter::once_with(as_given).chain(further) {
             let mut candidate = candidate?;
             clip(&mut candidate, self.model.patterns(), bounds)?;
             let loss = self.scale(&objective, &mut candidate, &mut dose, bounds, work)?;
@@ -282,7 +282,7 @@ impl Stage<'_> {
         work: &Work,
     ) -> Result<f64> {
         self.model.dose(x, dose, work)?;
-        let own = objective.value(dose);
+        let before = objective.value(dose);
         let (factor, mut loss) = optimize::brightness::lowest(&|factor| {
             let mut scaled = dose.clone();
             scaled.scale(factor as f32);
@@ -297,9 +297,9 @@ impl Stage<'_> {
             self.model.dose(&within, dose, work)?;
             loss = objective.value(dose);
         }
-        if loss < own {
+        if loss < before {
             *x = within;
         }
-        Ok(loss.min(own))
+        Ok(loss.min(before))
     }
 }

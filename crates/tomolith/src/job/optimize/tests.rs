@@ -19,8 +19,8 @@ fn a_run_that_stayed_at_its_start_says_so() {
     assert_eq!(idle(&history(&[2.0, 3.0, 1.9]), false, None), None);
     assert_eq!(idle(&history(&[2.0]), false, Some(4)), None);
     assert_eq!(idle(&history(&[0.0, 0.0]), false, None), None);
-    let said = idle(&history(&[2.0, 2.0, 2.5]), false, Some(4)).unwrap();
-    assert!(said.contains("bounds.bits = 4"), "{said}");
+    let message = idle(&history(&[2.0, 2.0, 2.5]), false, Some(4)).unwrap();
+    assert!(message.contains("bounds.bits = 4"), "{message}");
     // Row 0 of a method with a start and a scale of its own says nothing of its steps
     assert_eq!(idle(&history(&[2.0, 9.0, 9.5]), true, None), None);
     assert!(idle(&history(&[2.0, 9.0, 9.0]), true, None).is_some());
@@ -61,8 +61,8 @@ fn in_part(model: &dyn DoseModel<Field = HostField>, x: &HostField, voxels: &Vox
     model.dose(x, &mut dose, &Work::new()).unwrap();
     let dose = model.outputs()[0].volume_of(dose.as_slice());
     let all = dose.values.iter().zip(&voxels.labels.values);
-    let own = all.filter(|(_, label)| **label == crate::target::label::PART);
-    own.map(|(dose, _)| f64::from(*dose)).collect()
+    let part = all.filter(|(_, label)| **label == crate::target::label::PART);
+    part.map(|(dose, _)| f64::from(*dose)).collect()
 }
 
 /// Σd / Σd²: 1 where no other factor brings doses nearer to 1.
@@ -99,10 +99,10 @@ fn a_start_of_waves_brings_the_dose_that_is_wanted_whatever_the_pupil_takes() {
 fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
     let (voxels, plan, x) = started("{ incoherent_cone = { half_angle_deg = 0.5 } }");
     let straight = plan.surrogate.as_deref().unwrap();
-    let [own, rays] = [&plan.model as _, straight].map(|m| factor(&in_part(m, &x, &voxels)));
+    let [spread, rays] = [&plan.model as _, straight].map(|m| factor(&in_part(m, &x, &voxels)));
     assert!((rays - 1.0).abs() < 1e-5, "{rays}");
     // Roots of energies would be off by several times
-    assert!((own - 1.0).abs() < 0.1, "{own}");
+    assert!((spread - 1.0).abs() < 0.1, "{spread}");
 }
 
 #[test]
@@ -240,8 +240,8 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
             resume: false,
             keeps_end: false,
         };
-        let (kept, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
-        let done = optimize(&resolved, &voxels, plan, kept, silent, &Work::new()).unwrap();
+        let (cache, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
+        let done = optimize(&resolved, &voxels, plan, cache, silent, &Work::new()).unwrap();
         let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
         let history = done.outcome.history;
         assert!(history.last().unwrap().iteration >= 20);

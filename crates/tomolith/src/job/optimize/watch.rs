@@ -102,7 +102,9 @@ impl<F: Field> Watch<'_, F> {
         }
         let each = self.job.species.iter().zip(self.voxels);
         let each = each.filter(|_| wants.target);
-        let target = each.map(|(own, voxels)| voxels.shown(own)).collect();
+        let target = each
+            .map(|(species, voxels)| voxels.shown(species))
+            .collect();
         self.progress.snapshot(Snapshot {
             iteration: Some(report.row.iteration),
             patterns,

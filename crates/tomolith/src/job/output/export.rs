@@ -99,7 +99,11 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
         ));
     }
     let mut document = Document::read(&file)?;
-    let has_profile = |folder: &Path| PROFILES.iter().any(|own| folder == Path::new(own.name));
+    let has_profile = |folder: &Path| {
+        PROFILES
+            .iter()
+            .any(|profile| folder == Path::new(profile.name))
+    };
     if let Some(folder) = printer.filter(|path| path.is_dir() && !has_profile(path)) {
         let found = format!("`{}` is a folder", folder.display());
         let accepted = "a machine by name (`tomolith profiles`), or a TOML file with a table [printer], or with its keys";
@@ -261,8 +265,8 @@ fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
-    let own = Section::new("response", job.spec.response.clone());
-    let response = response(&own.based(&job.base()))?;
+    let section = Section::new("response", job.spec.response.clone());
+    let response = response(&section.based(&job.base()))?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
 }
 

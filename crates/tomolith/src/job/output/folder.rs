@@ -453,12 +453,12 @@ mod tests {
         assert!(RunFolder::check(&file).is_err());
         let message = RunFolder::open(&file.join("run"), "").unwrap_err();
         let message = message.to_string();
-        let said = [
+        let parts = [
             "output.folder: `",
             "thesis.tex/run` cannot be made",
             "can be made and written to",
         ];
-        assert!(said.iter().all(|said| message.contains(said)), "{message}");
+        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
         fs::write(temp.path().join("job.toml"), "[target]\n").unwrap();
         assert!(
             RunFolder::check(temp.path()).is_err(),

@@ -74,18 +74,18 @@ mod tests {
     fn a_finished_run_is_replaced_by_its_own_job_only() {
         let temp = tempfile::tempdir().unwrap();
         let path = temp.path().join("run");
-        let (own, other) = (
+        let (first, other) = (
             job(&path, "output.rpm=10"),
             job(&path, "stop.iterations=41"),
         );
-        let text = own.complete().to_toml().unwrap();
+        let text = first.complete().to_toml().unwrap();
         must_be_same(&other, false).unwrap();
         // Nothing is finished while there is no report
         let folder = RunFolder::open(&path, &text).unwrap();
         fs::write(folder.new_files().join("report.json"), "{}").unwrap();
         must_be_same(&other, false).unwrap();
         folder.publish().unwrap();
-        must_be_same(&own, false).unwrap();
+        must_be_same(&first, false).unwrap();
         // What is written where is not the job
         must_be_same(&job(&path, "output.rpm=8"), false).unwrap();
         let message = must_be_same(&other, false).unwrap_err().to_string();
@@ -105,7 +105,7 @@ mod tests {
         )
         .unwrap();
         assert!(
-            must_be_same(&own, false).is_err(),
+            must_be_same(&first, false).is_err(),
             "a job that cannot be read"
         );
     }

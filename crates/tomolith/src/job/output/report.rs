@@ -165,7 +165,10 @@ fn map(property: &Property) -> MapReport<'_> {
 
 /// The thresholds of a species at the end of the optimization.
 fn window(done: &Done<'_>, species: &Species) -> Option<[f64; 2]> {
-    let wider = done.optimized.as_ref().map_or(0, |own| own.wider);
+    let wider = done
+        .optimized
+        .as_ref()
+        .map_or(0, |optimized| optimized.wider);
     goal_of(species, wider).thresholds()
 }
 
@@ -179,10 +182,11 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
     let Some(rows) = &resolved.mixing else {
         return Vec::new();
     };
-    let said = headline.exposures.iter().zip(&headline.limits);
+    let judged = headline.exposures.iter().zip(&headline.limits);
     let prints = resolved.species.iter().zip(&evaluated.species);
     let mut reports = Vec::with_capacity(rows.len());
-    for (((name, row), (species, print)), (exposure, limits)) in rows.iter().zip(prints).zip(said) {
+    for (((name, row), (species, print)), (exposure, limits)) in rows.iter().zip(prints).zip(judged)
+    {
         let light =
             |(light, &factor): (Option<&str>, &f64)| (light.unwrap_or_default().to_owned(), factor);
         reports.push(SpeciesReport {

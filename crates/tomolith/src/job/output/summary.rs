@@ -159,7 +159,7 @@ impl Summary {
             ("require_iou", self.required_iou, iou),
             ("require_in_band", self.required_in_band, in_band),
         ];
-        all.into_iter().filter_map(|(key, asked, of)| {
+        all.into_iter().filter_map(|(key, asked, measure_of)| {
             let asked = asked?;
             let mut prints: Vec<(&str, &Quality)> = (self.species.iter())
                 .map(|species| (species.name.as_str(), &species.evaluation))
@@ -168,7 +168,7 @@ impl Summary {
                 prints.push(("", &self.evaluation));
             }
             let missed = prints.into_iter().find_map(|(name, quality)| {
-                let found = of(quality);
+                let found = measure_of(quality);
                 let text = || found.map_or("–".to_owned(), |found| format!("{found:.4}"));
                 let is_reached = found.is_some_and(|found| found >= asked);
                 (!is_reached).then(|| format!("{name} {}", text()).trim().to_owned())
@@ -179,7 +179,7 @@ impl Summary {
 
     /// What limits the print, in one sentence for every species.
     fn all_limits(&self) -> Vec<String> {
-        let own = |species: &SpeciesSummary| {
+        let sentence_of = |species: &SpeciesSummary| {
             let text = &species.limits.sentence;
             (!text.is_empty()).then(|| format!("{}: {text}", species.name))
         };
@@ -188,7 +188,7 @@ impl Summary {
                 .filter(|text| !text.is_empty())
                 .into_iter()
                 .collect(),
-            false => self.species.iter().filter_map(own).collect(),
+            false => self.species.iter().filter_map(sentence_of).collect(),
         }
     }
 
@@ -197,13 +197,13 @@ impl Summary {
         if let Some(one) = &self.one_exposure {
             return vec![one.sentence()];
         }
-        let own = |species: &SpeciesSummary| {
+        let sentence_of = |species: &SpeciesSummary| {
             let window = species.exposure.as_ref()?;
             Some(format!("{}: {}", species.name, window.sentence()))
         };
         match self.species.len() {
             0 | 1 => self.exposure.iter().map(ExposureWindow::sentence).collect(),
-            _ => self.species.iter().filter_map(own).collect(),
+            _ => self.species.iter().filter_map(sentence_of).collect(),
         }
     }
 }
@@ -218,8 +218,8 @@ impl fmt::Display for Summary {
                 .clone()
                 .unwrap_or_else(|| words(reason).to_owned());
             writeln!(f, "{:>28} {iterations} ({reason}{fall})", "iterations")?;
-            if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
-                writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
+            if let Some(iterate) = self.kept.filter(|iterate| iterate.iteration != iterations) {
+                writeln!(f, "{:>28} {}", "kept", earlier(iterate, iterations))?;
             }
             if let Some(text) = self.gap.and_then(gap_sentence) {
                 writeln!(f, "{:>28} {text}", "lowest loss")?;
@@ -397,8 +397,8 @@ fn in_column(value: f64) -> String {
 }
 
 /// Which iterate is the result, and why, when it is not the last one.
-pub(crate) fn earlier(kept: KeptIterate, iterations: usize) -> String {
-    let (iteration, why) = (kept.iteration, kept.by.words());
+pub(crate) fn earlier(iterate: KeptIterate, iterations: usize) -> String {
+    let (iteration, why) = (iterate.iteration, iterate.by.words());
     format!("iteration {iteration} of {iterations} ({why})")
 }
 
@@ -499,7 +499,7 @@ fn beyond(optimized: &Optimized, job: &ResolvedJob) -> Option<String> {
     let asked = job.stop().iterations;
     let all = job.levels.last().map_or(asked, |level| level.until);
     let ceiling = optimized.ceiling.as_ref();
-    let trial = ceiling.and_then(|own| own.report.finest.as_ref());
+    let trial = ceiling.and_then(|ceiling| ceiling.report.finest.as_ref());
     let has_changed = trial.is_some_and(|trial| trial.changed_by != 1.0);
     words_beyond(done, [asked, all], has_changed)
 }
@@ -531,13 +531,13 @@ fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
         return Vec::new();
     }
     let all = species.iter().zip(&done.evaluated.species).enumerate();
-    let of = |(s, (own, print)): (usize, (&Species, &SpeciesPrint))| SpeciesSummary {
-        name: own.name.clone().unwrap_or_default(),
+    let summary_of = |(s, (species, print)): (usize, (&Species, &SpeciesPrint))| SpeciesSummary {
+        name: species.name.clone().unwrap_or_default(),
         evaluation: quality(&print.evaluation),
         exposure: headline.exposures[s],
         limits: headline.limits[s].clone(),
     };
-    all.map(of).collect()
+    all.map(summary_of).collect()
 }
 
 fn quality(evaluation: &Evaluation) -> Quality {
@@ -576,16 +576,19 @@ mod tests {
 
     #[test]
     fn more_iterations_than_the_job_asks_for_are_explained() {
-        let said = |done, all, is_another| words_beyond(done, [12, all], is_another);
-        assert_eq!([said(12, 12, false), said(9, 12, true)], [None, None]);
-        let why = |said: Option<String>, expected: &str| {
-            tomolith_core::contains!(said.unwrap(), expected);
+        let reason_of = |done, all, is_another| words_beyond(done, [12, all], is_another);
+        assert_eq!(
+            [reason_of(12, 12, false), reason_of(9, 12, true)],
+            [None, None]
+        );
+        let why = |reason: Option<String>, expected: &str| {
+            tomolith_core::contains!(reason.unwrap(), expected);
         };
-        why(said(14, 12, false), "the checkpoint had 2 more");
-        why(said(20, 12, true), "8 below another ceiling");
+        why(reason_of(14, 12, false), "the checkpoint had 2 more");
+        why(reason_of(20, 12, true), "8 below another ceiling");
         // 20 iterations on a coarser level are no checkpoint's
-        why(said(32, 32, false), "`multiresolution.iterations`");
-        why(said(34, 32, false), "the checkpoint had 2 more");
-        assert_eq!(said(25, 32, false), None);
+        why(reason_of(32, 32, false), "`multiresolution.iterations`");
+        why(reason_of(34, 32, false), "the checkpoint had 2 more");
+        assert_eq!(reason_of(25, 32, false), None);
     }
 }

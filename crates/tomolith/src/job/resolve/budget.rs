@@ -18,23 +18,23 @@ const LEAST_MEMORY: usize = 3;
 
 /// What a job takes, with all that its levels, its model and its outputs add to what it counts for itself.
 pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> {
-    let (spec, grid, own) = (&resolved.spec, &resolved.grid, &resolved.extent);
+    let (spec, grid, extent) = (&resolved.spec, &resolved.grid, &resolved.extent);
     let lit = resolved.optimizing();
     let last = &resolved.levels[resolved.levels.len() - 1];
     let finest = OpticalScene {
         lights: &last.lights,
         ..lit
     };
-    let kept = family.cost(&finest, &last.grid).unwrap_or_default();
-    let kept_of_the_job = family.cost(&lit, grid)?;
-    let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
+    let finest_cost = family.cost(&finest, &last.grid).unwrap_or_default();
+    let job_cost = family.cost(&lit, grid)?;
+    let entries = [&finest_cost, &job_cost].map(|cost| cost.cached_bytes.unwrap_or_default());
     let (lights, iterations) = (&resolved.optics.lights, spec.stop.iterations);
     let effort = refinement::effort(&resolved.levels, grid, lights, iterations, entries);
     let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);
     Ok(Extent {
         effort: effort * (1 + spec.scenario.len()) as f64,
-        cached_entries: kept.cached_entries,
-        cached_bytes: kept.cached_bytes,
+        cached_entries: finest_cost.cached_entries,
+        cached_bytes: finest_cost.cached_bytes,
         finest: last.grid.clone(),
         fields: with_fields(spec, &resolved.species),
         canvas: canvases.map(|canvas| canvas.len()).sum(),
@@ -46,10 +46,10 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         is_noisy: family.monte_carlo_paths().is_some(),
         scenarios: spec.scenario.len(),
         working_mb: [
-            kept_of_the_job.working_bytes as f64 / 1e6,
-            evaluated_mb(&resolved.optics, grid, own.refine)?,
+            job_cost.working_bytes as f64 / 1e6,
+            evaluated_mb(&resolved.optics, grid, extent.refine)?,
         ],
-        ..own.clone()
+        ..extent.clone()
     })
 }
 
@@ -87,7 +87,7 @@ impl ResolvedJob {
         }
         // What the job's own voxels would take of that for the optimization's
         let finest = self.levels.last().map_or(1, |level| level.grid.len());
-        let own = self.grid.len() as f64 / finest as f64;
+        let share = self.grid.len() as f64 / finest as f64;
         for (what, parts) in [
             ("memory for the optimization", self.extent.optimization()),
             ("memory for the evaluation", self.extent.evaluation()),
@@ -99,8 +99,8 @@ impl ResolvedJob {
                 ("model".to_owned(), accepted)
             } else if voxels_mb >= pixels_mb
                 && what.ends_with("optimization")
-                && own < 1.0
-                && fits(extent::whole_mb([own * voxels_mb, pixels_mb, frames_mb]))
+                && share < 1.0
+                && fits(extent::whole_mb([share * voxels_mb, pixels_mb, frames_mb]))
             {
                 let accepted = "a smaller grid.refine (the optimization's voxels are finer than the job's; 1 takes the job's own)";
                 ("grid.refine".to_owned(), accepted)
@@ -154,11 +154,11 @@ const PER_PRINT: usize = 5;
 
 /// Objectives with numbers per voxel.
 fn with_fields(spec: &JobSpec, species: &[Species]) -> usize {
-    let of_one = |own: &Species| {
-        let is_gray = own.shape.is_gray();
-        let common = own.goal.common();
+    let of_one = |species: &Species| {
+        let is_gray = species.shape.is_gray();
+        let common = species.goal.common();
         let fields = common.filter(|(_, common)| is_gray || common.has_fields());
-        fields.count() + if own.has_cells { cells::FIELDS } else { 0 }
+        fields.count() + if species.has_cells { cells::FIELDS } else { 0 }
     };
     // Dose and target of each further species or scenario; state and snapshots of a print in time
     species.iter().map(of_one).sum::<usize>()
@@ -216,9 +216,9 @@ mod tests {
         "#;
         let resolved = |more: &[&str]| ResolvedJob::under(&job_of(text, more), &Work::new());
         let needed = |more: &[&str]| resolved(more).unwrap().extent.optimization_mb();
-        let (fine, own) = (needed(&[]), needed(&["grid.refine=1"]));
-        assert!(fine > own + 20, "{fine} {own}");
-        let budget = format!("resources.memory_gb={}", (fine + own) as f64 / 2e3);
+        let (fine, coarse) = (needed(&[]), needed(&["grid.refine=1"]));
+        assert!(fine > coarse + 20, "{fine} {coarse}");
+        let budget = format!("resources.memory_gb={}", (fine + coarse) as f64 / 2e3);
         let refusal = resolved(&[&budget]).err().unwrap().to_string();
         tomolith_core::contains!(
             refusal,

@@ -86,7 +86,7 @@ mod with_gpu {
         let mut all = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
         let known = all
             .iter()
-            .find(|(own, gpu)| own == name && gpu.check().is_ok());
+            .find(|(opened, gpu)| opened == name && gpu.check().is_ok());
         if let Some((_, gpu)) = known {
             return Ok(gpu.clone());
         }
@@ -96,7 +96,7 @@ mod with_gpu {
             Asked::Named(name)
         };
         let gpu = Gpu::open(&asked)?;
-        all.retain(|(own, _)| own != name);
+        all.retain(|(opened, _)| opened != name);
         all.push((name.to_owned(), gpu.clone()));
         Ok(gpu)
     }

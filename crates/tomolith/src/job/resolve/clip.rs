@@ -34,9 +34,10 @@ pub(crate) fn must_hold(
              use more voxels in grid.shape or a larger grid.pitch_mm"
         )));
     }
-    let (part, own) = (shape.bounds_mm(), grid.bounds_mm());
+    let (part, bounds) = (shape.bounds_mm(), grid.bounds_mm());
     let times = |sizes: [String; 3]| sizes.join(" × ");
-    let sizes = |of: [[f64; 3]; 2]| times([0, 1, 2].map(|i| concise(of[1][i] - of[0][i])));
+    let sizes =
+        |corners: [[f64; 3]; 2]| times([0, 1, 2].map(|i| concise(corners[1][i] - corners[0][i])));
     let needed = [0, 1, 2].map(|i| {
         let middle = grid.center_mm[i];
         let reach = (part[1][i] - middle).max(middle - part[0][i]);
@@ -49,7 +50,7 @@ pub(crate) fn must_hold(
             "{} voxels of {} mm are {} mm, but the part is {} mm: {percent} % of its volume would be cut off",
             times(counts.map(|n| n.to_string())),
             concise(grid.pitch_mm),
-            sizes(own),
+            sizes(bounds),
             sizes(part),
         ),
         format!(

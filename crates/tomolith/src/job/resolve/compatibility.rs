@@ -409,11 +409,11 @@ mod tests {
     #[test]
     fn a_tolerance_of_the_wall_is_a_hundredth_of_a_voxel_or_what_the_job_says() {
         let grid = VolumeGrid::centered([2, 2, 2], 0.05);
-        let of = |changes: &[&str]| wall_tolerance_mm(&spec(changes), Some(&grid));
-        assert_eq!(of(&[]).unwrap(), 0.0005);
+        let tolerance_of = |changes: &[&str]| wall_tolerance_mm(&spec(changes), Some(&grid));
+        assert_eq!(tolerance_of(&[]).unwrap(), 0.0005);
         let asked = "target.wall_tolerance_mm=\"3 um\"";
-        assert!((of(&[asked]).unwrap() - 0.003).abs() < 1e-12);
-        let refused = of(&["target.wall_tolerance_mm=-1.0"]).unwrap_err();
+        assert!((tolerance_of(&[asked]).unwrap() - 0.003).abs() < 1e-12);
+        let refused = tolerance_of(&["target.wall_tolerance_mm=-1.0"]).unwrap_err();
         assert_eq!(key(refused), "target.wall_tolerance_mm");
         // The gear of 5 mm in a vial of 2.499 mm
         let gear = gear();
@@ -463,17 +463,17 @@ mod tests {
     #[test]
     fn a_matrix_is_judged_on_its_own_voxels_only() {
         let matrix = "model={ matrix = { file = \"m.npz\" } }";
-        let own = ["evaluate.refine=1", "evaluate.sub_angles=1", matrix];
+        let changes = ["evaluate.refine=1", "evaluate.sub_angles=1", matrix];
         let optics = |spec: &JobSpec| Optics::new(spec, Path::new("/jobs")).unwrap();
-        let (finer, own) = (spec(&own[2..]), spec(&own));
+        let (finer, coarse) = (spec(&changes[2..]), spec(&changes));
         assert_eq!(
             key(optics(&finer).must_be_evaluated(&finer).unwrap_err()),
             "evaluate"
         );
-        optics(&own).must_be_evaluated(&own).unwrap();
+        optics(&coarse).must_be_evaluated(&coarse).unwrap();
         // The file is looked for in the folder of the job
         let grid = VolumeGrid::centered([2, 2, 2], 0.1);
-        let found = optics(&own);
+        let found = optics(&coarse);
         let missing = found.family(&grid).unwrap().check(&found.scene(), &grid);
         let text = missing.unwrap_err().to_string();
         assert!(text.contains("/jobs/m.npz"), "{text}");

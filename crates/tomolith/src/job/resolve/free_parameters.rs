@@ -47,7 +47,7 @@ impl FreeParameters {
     /// # Errors
     /// [`Error::Config`] with the key of a parameter that the response does not have, or of a range that is none or that it does not accept.
     pub(crate) fn of(spec: &JobSpec, base: &Path) -> Result<Option<Self>> {
-        let Some(own) = &spec.co_optimize else {
+        let Some(given) = &spec.co_optimize else {
             return Ok(None);
         };
         let section = Section::new("response", spec.response.clone()).based(base);
@@ -59,8 +59,8 @@ impl FreeParameters {
         let known: Vec<(&str, Option<f64>)> = known
             .map(|p| (p.name.as_str(), p.default.as_ref().and_then(Value::as_f64)))
             .collect();
-        let mut found = Vec::with_capacity(own.response.len());
-        for (name, range) in &own.response {
+        let mut found = Vec::with_capacity(given.response.len());
+        for (name, range) in &given.response {
             let Some((_, default)) = known.iter().find(|(known, _)| known == name) else {
                 return Err(no_such(row.name, name, &known));
             };
@@ -75,7 +75,7 @@ impl FreeParameters {
             section,
             kind: row.name,
             parameters: found,
-            tolerance: own.tolerance,
+            tolerance: given.tolerance,
         };
         free.must_be_ranges()?;
         Ok(Some(free))
@@ -100,8 +100,8 @@ impl FreeParameters {
     fn at_range(&self, mut error: Error) -> Error {
         if let Error::Config { key, found, .. } = &mut error {
             let name = key.rsplit('.').next().unwrap_or_default();
-            let own = self.parameters.iter().find(|p| p.name == name);
-            let name = own.map_or(String::new(), |p| format!(".{}", p.name));
+            let parameter = self.parameters.iter().find(|p| p.name == name);
+            let name = parameter.map_or(String::new(), |p| format!(".{}", p.name));
             *key = format!("{TABLE}.response{name}");
             *found = format!("at an end of the ranges: {found}");
         }
@@ -110,11 +110,11 @@ impl FreeParameters {
 
     /// The response with these parameters.
     pub(crate) fn respond(&self, values: &[f64]) -> Result<Arc<dyn Response>> {
-        let mut own = self.section.value.clone();
+        let mut parameters = self.section.value.clone();
         for (parameter, value) in self.parameters.iter().zip(values) {
-            own[&parameter.name] = (*value).into();
+            parameters[&parameter.name] = (*value).into();
         }
-        let tables = Section::new("response", serde_json::json!({ self.kind: own }));
+        let tables = Section::new("response", serde_json::json!({ self.kind: parameters }));
         response(&tables)
     }
 
@@ -140,8 +140,8 @@ impl FreeParameters {
 
     /// The response that the run whose `report.json` this is found; None where it has no such parameters.
     pub(crate) fn found_by(&self, report: &Value) -> Result<Option<FoundResponse>> {
-        let own = self.parameters.iter();
-        let values = own.map(|p| report["response"][&p.name].as_f64());
+        let parameters = self.parameters.iter();
+        let values = parameters.map(|p| report["response"][&p.name].as_f64());
         match values.collect::<Option<Vec<f64>>>() {
             Some(values) => self.found(&values),
             None => Ok(None),
@@ -150,8 +150,8 @@ impl FreeParameters {
 
     /// That a parameter was found at an end of its range: the best one may lie beyond.
     pub(crate) fn at_ends(&self, found: &FoundResponse) -> Vec<String> {
-        let own = self.parameters.iter().zip(&found.values);
-        let at_end = own.filter(|(p, (_, value))| p.range.contains(value));
+        let pairs = self.parameters.iter().zip(&found.values);
+        let at_end = pairs.filter(|(p, (_, value))| p.range.contains(value));
         at_end
             .map(|(p, (name, value))| {
                 format!(
@@ -217,8 +217,8 @@ pub(crate) fn must_be_minimized(goal: &Goal, method: &Method) -> Result<()> {
             "a method that descends the loss: lbfgs, gradient, adam, bclp",
         ));
     }
-    let own = goal.common().find(|(_, own)| own.response.is_some());
-    match own {
+    let objective = goal.common().find(|(_, common)| common.response.is_some());
+    match objective {
         Some((path, _)) => Err(Error::config(
             format!("{path}.response"),
             "an objective with a response, in a job with [co_optimize], which changes the response of the job",

@@ -43,7 +43,7 @@ pub(crate) struct JobObjective<F: Field = HostField> {
     pub(crate) key: String,
     pub(crate) common: Common,
     pub(crate) response: Arc<dyn Response>,
-    of: Arc<dyn MakeObjective<F>>,
+    maker: Arc<dyn MakeObjective<F>>,
 }
 
 pub(crate) fn response(section: &Section) -> Result<Arc<dyn Response>> {
@@ -55,12 +55,12 @@ impl<F: Field> JobObjective<F> {
         let path = section.path.clone();
         let (common, section) = Common::split(section)?;
         let response = match &common.response {
-            Some(own) => response(&section.within("response", own.clone()))?,
+            Some(value) => response(&section.within("response", value.clone()))?,
             None => Arc::clone(job),
         };
         let (kind, section) = section.kind(objectives::<F>())?;
         Ok(JobObjective {
-            of: (kind.build)(&section)?,
+            maker: (kind.build)(&section)?,
             key: section.path,
             path,
             common,
@@ -98,7 +98,7 @@ impl<F: Field> JobObjective<F> {
 
     /// Whether voxels that the surface cuts have two doses.
     pub(crate) fn has_cells(&self) -> bool {
-        self.of.surface() == SurfaceHandling::Cells
+        self.maker.surface() == SurfaceHandling::Cells
     }
 
     /// The objective of a dose; `on_grid` whether fields of voxels fit the input's grid.
@@ -111,7 +111,7 @@ impl<F: Field> JobObjective<F> {
         let mut input = input.clone();
         input.response = Arc::clone(&self.response);
         let at_key = |error: Error| at_section(&self.key, error.under(&self.key));
-        let mut objective = self.of.make(&input).map_err(at_key)?;
+        let mut objective = self.maker.make(&input).map_err(at_key)?;
         let ObjectiveInput {
             layout,
             labels,
@@ -144,7 +144,7 @@ impl<F: Field> JobObjective<F> {
 
 impl<F: Field> Objectives<F> {
     fn read(sections: &[Section], base: &Path, response: &Arc<dyn Response>) -> Result<Self> {
-        let objective = |own: &Section| JobObjective::read(own.clone(), response);
+        let objective = |section: &Section| JobObjective::read(section.clone(), response);
         Ok(Objectives {
             all: sections.iter().map(objective).collect::<Result<_>>()?,
             base: base.to_owned(),
@@ -154,9 +154,9 @@ impl<F: Field> Objectives<F> {
     /// Their sum; `on_grid` whether fields of voxels fit the input's grid. Those of no weight are read, so that their errors come before any work, and
     /// left out.
     pub(crate) fn sum(&self, input: &ObjectiveInput<'_>, on_grid: bool) -> Result<Sum<F>> {
-        let build = |own: &JobObjective<F>| {
-            let objective = own.build(input, &self.base, on_grid)?;
-            Ok((own.common.weight, objective))
+        let build = |objective: &JobObjective<F>| {
+            let built = objective.build(input, &self.base, on_grid)?;
+            Ok((objective.common.weight, built))
         };
         let mut all: Vec<_> = self.all.iter().map(build).collect::<Result<_>>()?;
         if all.iter().any(|(weight, _)| *weight != 0.0) {
@@ -167,13 +167,13 @@ impl<F: Field> Objectives<F> {
 
     /// Takes a parameter of the only objective that the program chooses; false where there are several, another one, or the job names it.
     fn choose(&mut self, chosen: Chosen) -> bool {
-        let mut counted = self.all.iter_mut().filter(|own| own.counts());
-        let (Some(own), None) = (counted.next(), counted.next()) else {
+        let mut counted = self.all.iter_mut().filter(|objective| objective.counts());
+        let (Some(objective), None) = (counted.next(), counted.next()) else {
             return false;
         };
-        let other = own.of.with(chosen);
-        if let Some(of) = &other {
-            own.of = Arc::clone(of);
+        let other = objective.maker.with(chosen);
+        if let Some(maker) = &other {
+            objective.maker = Arc::clone(maker);
         }
         other.is_some()
     }
@@ -187,7 +187,7 @@ impl Goal {
     pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let response = response(&Section::new("response", spec.response.clone()).based(base))?;
         let sections = spec.objectives()?.into_iter();
-        let sections: Arc<[Section]> = sections.map(|own| own.based(base)).collect();
+        let sections: Arc<[Section]> = sections.map(|section| section.based(base)).collect();
         Ok(Goal {
             on_host: Objectives::read(&sections, base, &response)?,
             response,
@@ -207,11 +207,11 @@ impl Goal {
         expect(dead_code, reason = "all fields are the host's")
     )]
     pub(crate) fn on<F: Field>(&self) -> Result<Objectives<F>> {
-        let mut own = Objectives::read(&self.sections, &self.on_host.base, &self.response)?;
+        let mut objectives = Objectives::read(&self.sections, &self.on_host.base, &self.response)?;
         if let Some(chosen) = self.chosen {
-            own.choose(chosen);
+            objectives.choose(chosen);
         }
-        Ok(own)
+        Ok(objectives)
     }
 
     /// Whether the job names them in a list.
@@ -227,14 +227,16 @@ impl Goal {
 
     /// Those that change the patterns.
     fn counted(&self) -> impl Iterator<Item = &JobObjective> {
-        self.objectives().iter().filter(|own| own.counts())
+        self.objectives()
+            .iter()
+            .filter(|objective| objective.counts())
     }
 
     /// Takes another response in place of the job's.
     pub(crate) fn set_response(&mut self, response: &Arc<dyn Response>) {
-        for own in &mut self.on_host.all {
-            if own.common.response.is_none() {
-                own.response = Arc::clone(response);
+        for objective in &mut self.on_host.all {
+            if objective.common.response.is_none() {
+                objective.response = Arc::clone(response);
             }
         }
         self.response = Arc::clone(response);
@@ -255,19 +257,22 @@ impl Goal {
 
     /// What every objective may have, and its key.
     pub(crate) fn common(&self) -> impl Iterator<Item = (&str, &Common)> {
-        (self.objectives().iter()).map(|own| (own.path.as_str(), &own.common))
+        (self.objectives().iter()).map(|objective| (objective.path.as_str(), &objective.common))
     }
 
     /// Whether an objective has weights or bands per voxel.
     pub(crate) fn has_fields(&self) -> bool {
         let mut counted = self.counted();
-        counted.any(|own| own.common.has_fields())
+        counted.any(|objective| objective.common.has_fields())
     }
 
     /// The key that asks for surface-aware cells, when there is one.
     pub(crate) fn cells_key(&self) -> Option<String> {
-        let own = self.objectives().iter().find(|own| own.has_cells())?;
-        Some(format!("{}.surface", own.key))
+        let objective = self
+            .objectives()
+            .iter()
+            .find(|objective| objective.has_cells())?;
+        Some(format!("{}.surface", objective.key))
     }
 
     /// Whether all objectives weigh a voxel by its inside fraction, and none has a number for each of the job's voxels.
@@ -277,23 +282,28 @@ impl Goal {
 
     /// Whether all objectives weigh a voxel by its inside fraction.
     pub(crate) fn weighs_fractions(&self) -> bool {
-        let weighs = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
+        let weighs =
+            |objective: &JobObjective| objective.maker.surface() == SurfaceHandling::Fraction;
         self.counted().all(weighs)
     }
 
     /// Whether an objective looks for the process window itself.
     pub(crate) fn seeks_window(&self) -> bool {
-        self.objectives().iter().any(|own| own.of.seeks_window())
+        self.objectives()
+            .iter()
+            .any(|objective| objective.maker.seeks_window())
     }
 
     /// Thresholds [void, part] of the first objective, where it has any.
     pub(crate) fn thresholds(&self) -> Option<[f64; 2]> {
-        self.objectives().first()?.of.thresholds()
+        self.objectives().first()?.maker.thresholds()
     }
 
     /// Half width ε of the band round the target's values, of the first objective that has one.
     pub(crate) fn epsilon(&self) -> Option<f64> {
-        self.objectives().iter().find_map(|own| own.of.epsilon())
+        self.objectives()
+            .iter()
+            .find_map(|objective| objective.maker.epsilon())
     }
 
     /// The goal with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.

@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// The box of all that is to be printed, of all species.
 pub(crate) fn bounds_of(species: &[Species]) -> [[f64; 3]; 2] {
-    let boxes = species.iter().map(|own| own.shape.bounds_mm());
+    let boxes = species.iter().map(|species| species.shape.bounds_mm());
     let both = |[al, ah]: [[f64; 3]; 2], [bl, bh]: [[f64; 3]; 2]| {
         let low = std::array::from_fn(|i| al[i].min(bl[i]));
         [low, std::array::from_fn(|i| ah[i].max(bh[i]))]

@@ -107,9 +107,9 @@ impl<'a> Lights<'a> {
         } else {
             Purpose::Optimize
         };
-        let own = self.scene_of(i, &light, purpose);
+        let scene = self.scene_of(i, &light, purpose);
         let asked = self.job.optics.model.as_ref();
-        let plan = planner::plan(asked, own, &self.job.grid, None, self.work)?;
+        let plan = planner::plan(asked, scene, &self.job.grid, None, self.work)?;
         Ok(Box::new(plan.model))
     }
 
@@ -123,8 +123,8 @@ impl<'a> Lights<'a> {
     /// The family of models of a light.
     pub(crate) fn family(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Result<Family> {
         let light = [self.mapped(i, map)];
-        let own = self.scene_of(i, &light, Purpose::Optimize);
-        planner::choose(self.job.optics.model.as_ref(), &own, &self.job.grid)
+        let scene = self.scene_of(i, &light, Purpose::Optimize);
+        planner::choose(self.job.optics.model.as_ref(), &scene, &self.job.grid)
     }
 
     /// Whether a light runs level and straight through resin that absorbs alike everywhere, cones and waves about such a way among them.

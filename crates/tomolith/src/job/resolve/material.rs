@@ -22,9 +22,9 @@ pub(crate) fn material(
         || vec!["resin".to_owned()],
         |rows| rows.iter().map(|(name, _)| name.clone()).collect(),
     );
-    let own = spec.material.as_ref();
-    let diffusion = own.and_then(|material| material.diffusion);
-    let params = match own.and_then(|material| material.photopolymer.clone()) {
+    let material = spec.material.as_ref();
+    let diffusion = material.and_then(|material| material.diffusion);
+    let params = match material.and_then(|material| material.photopolymer.clone()) {
         Some(photopolymer) => photopolymer,
         None => {
             let critical = spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
@@ -76,11 +76,11 @@ impl ResolvedJob {
 /// Voxels of resin between walls that nothing passes, and air where the job says so.
 pub(crate) fn domain(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Domain> {
     let mut domain = Domain::new(grid.clone());
-    let (own, photopolymer) = (job.spec.material.as_ref(), job.spec.photopolymer());
+    let (material, photopolymer) = (job.spec.material.as_ref(), job.spec.photopolymer());
     if photopolymer.is_some_and(|params| params.diffusion == Scheme::Faces) {
         domain = domain.with_walls(&resin(job, grid)?)?;
     }
-    if own.is_some_and(|material| material.air_on_top) {
+    if material.is_some_and(|material| material.air_on_top) {
         domain = domain.with_air_on_top();
     }
     Ok(domain)

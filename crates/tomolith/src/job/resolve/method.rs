@@ -42,8 +42,8 @@ pub(crate) struct Method {
 /// A penalty and its weight.
 fn penalty(i: usize, value: &Value) -> Result<(f64, Arc<dyn MakePenalty>)> {
     let mut section = Section::new(format!("penalties[{i}]"), value.clone()).without(&["weight"]);
-    let own = section.value.as_object_mut();
-    let weight = own.and_then(|map| map.remove("weight"));
+    let keys = section.value.as_object_mut();
+    let weight = keys.and_then(|map| map.remove("weight"));
     let weight = penalty_weight(i, weight.as_ref())?;
     Ok((weight, section.read(PENALTIES)?))
 }
@@ -60,7 +60,7 @@ impl Method {
             .penalties
             .iter()
             .enumerate()
-            .map(|(i, own)| penalty(i, own));
+            .map(|(i, value)| penalty(i, value));
         let penalties = penalties.collect::<Result<_>>()?;
         let made = optimizer.read(OPTIMIZERS)?;
         let method = made.make()?;
@@ -84,7 +84,8 @@ impl Method {
 
     /// The sum of the penalties.
     pub(crate) fn penalties<F: Field>(&self, lights: &[PatternLayout]) -> Result<Penalties<F>> {
-        let make = |(weight, own): &(f64, Arc<dyn MakePenalty>)| Ok((*weight, own.make(lights)?));
+        let make =
+            |(weight, penalty): &(f64, Arc<dyn MakePenalty>)| Ok((*weight, penalty.make(lights)?));
         Penalties::new(self.penalties.iter().map(make).collect::<Result<_>>()?)
     }
 
@@ -106,7 +107,7 @@ impl Method {
     /// Whether a penalty compares pixels of different frames.
     pub(crate) fn penalizes_frames(&self) -> bool {
         let mut penalties = self.penalties.iter();
-        penalties.any(|(_, own)| own.joins_frames())
+        penalties.any(|(_, penalty)| penalty.joins_frames())
     }
 
     /// Whether it compares doses with the target itself, and so knows part and void alone, instead of minimizing the objectives.

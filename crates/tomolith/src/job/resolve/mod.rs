@@ -247,8 +247,8 @@ impl ResolvedJob {
         let cut_off = species::must_be_on(&species, spec, &optics, &grid, work)?;
         time_refusals::must_be_stable(spec, &grid)?;
         let light = must_be_lit(spec, &optics, &species, &grid)?;
-        for (s, own) in species.iter().enumerate() {
-            for (path, common) in own.goal.common() {
+        for (s, species) in species.iter().enumerate() {
+            for (path, common) in species.goal.common() {
                 let checked = common.check_files(&grid, &base).map_err(|e| e.under(path));
                 checked.map_err(|e| at_species(spec, s, e))?;
             }
@@ -263,15 +263,19 @@ impl ResolvedJob {
         notes.extend(refinement::held_back(asked, family.as_ref()));
         let finest = &levels[levels.len() - 1];
         if refinement::are_sharpened(asked, family.as_ref(), finest) {
-            for own in &mut species {
-                own.goal = refinement::sharpened(&own.goal).unwrap_or_else(|| own.goal.clone());
+            for species in &mut species {
+                species.goal =
+                    refinement::sharpened(&species.goal).unwrap_or_else(|| species.goal.clone());
             }
         }
         let chosen = || refinement::evaluation_refine(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = method.pairs().unwrap_or(0);
         let extent = Extent::new(&optics, &grid, bounds_mm, refine, memory);
-        let of_shapes = species.iter().map(|own| own.shape.warnings()).collect();
+        let of_shapes = species
+            .iter()
+            .map(|species| species.shape.warnings())
+            .collect();
         let mut resolved = ResolvedJob {
             name: spec.target.name(),
             warnings: [
@@ -400,11 +404,11 @@ impl ResolvedJob {
         if !self.method.start.asks_for_doses() {
             return Ok(());
         }
-        for (s, (own, voxels)) in self.species.iter().zip(voxels).enumerate() {
+        for (s, (species, voxels)) in self.species.iter().zip(voxels).enumerate() {
             let Some(highest) = voxels.highest_gray() else {
                 continue;
             };
-            let dose = dose_for(own.goal.response.as_ref(), highest);
+            let dose = dose_for(species.goal.response.as_ref(), highest);
             dose.map_err(|e| at_species(&self.spec, s, e.under("response")))?;
         }
         Ok(())
@@ -413,7 +417,7 @@ impl ResolvedJob {
     /// Takes the response that was found with the patterns, where one was.
     pub(crate) fn respond_as(&mut self, found: Option<&FoundResponse>) {
         if let Some(FoundResponse { response, .. }) = found {
-            let goals = self.species.iter_mut().map(|own| &mut own.goal);
+            let goals = self.species.iter_mut().map(|species| &mut species.goal);
             goals.for_each(|goal| goal.set_response(response));
         }
     }
@@ -440,9 +444,9 @@ impl ResolvedJob {
 
 /// What light passes in an optimization for the parts of species.
 fn optimizing<'a>(optics: &'a Optics, species: &'a [Species]) -> OpticalScene<'a> {
-    let cells = species.iter().find(|own| own.has_cells);
+    let cells = species.iter().find(|species| species.has_cells);
     OpticalScene {
-        solid: cells.map(|own| &own.shape),
+        solid: cells.map(|species| &species.shape),
         purpose: Purpose::Optimize,
         ..optics.scene()
     }
@@ -460,9 +464,9 @@ fn must_be_lit(
     species: &[Species],
     grid: &VolumeGrid,
 ) -> Result<Vec<String>> {
-    let each = species.iter().map(|own| {
-        let printed = own.printed();
-        let held = optics.must_hold(spec, printed, own.wall_tolerance_mm);
+    let each = species.iter().map(|species| {
+        let printed = species.printed();
+        let held = optics.must_hold(spec, printed, species.wall_tolerance_mm);
         let moved = optics.moved_away(printed).into_iter();
         Ok(moved.chain(optics.coarse(printed)).chain(held?).collect())
     });

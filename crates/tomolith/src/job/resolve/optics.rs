@@ -123,12 +123,12 @@ impl Optics {
                 light
             })
             .collect();
-        for (i, (light, own)) in lights.iter_mut().zip(&spec.light).enumerate() {
+        for (i, (light, given)) in lights.iter_mut().zip(&spec.light).enumerate() {
             let key = format!("light[{i}].selection");
             let (vial, pixels) = (vial.as_ref(), &light.pixels);
-            light.selection = selection_of(&own.selection, &key, base, pixels, vial, &paths[i])?;
-            light.selection.has_background = own.bounds.min.unwrap_or(spec.bounds.min) > 0.0;
-            light.point_spread = point_spread::of_light(i, own, &light.pixels, base)?;
+            light.selection = selection_of(&given.selection, &key, base, pixels, vial, &paths[i])?;
+            light.selection.has_background = given.bounds.min.unwrap_or(spec.bounds.min) > 0.0;
+            light.point_spread = point_spread::of_light(i, given, &light.pixels, base)?;
         }
         let mut optics = Optics {
             vial,
@@ -353,12 +353,12 @@ fn maps_of(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<AbsorptionMap>>> {
     let mut maps: Vec<(f64, Arc<AbsorptionMap>)> = Vec::new();
     for i in 0..spec.light.len() {
         let scattered = spec.resin_of(i).scattering_per_mm;
-        let same = maps.iter().find(|(of, _)| *of == scattered);
-        let own = match same {
+        let same = maps.iter().find(|(known, _)| *known == scattered);
+        let map_of_light = match same {
             Some((_, map)) => Arc::clone(map),
             None => Arc::new(map_of(map, scattered, base)?),
         };
-        maps.push((scattered, own));
+        maps.push((scattered, map_of_light));
     }
     Ok(maps.into_iter().map(|(_, map)| map).collect())
 }

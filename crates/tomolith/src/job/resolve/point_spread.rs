@@ -85,8 +85,11 @@ mod tests {
         };
         assert_eq!(reach(job.lights()), Some([2, 2]));
         let task = job.task(&Work::new()).unwrap();
-        let said = task.model.describe();
-        assert!(said.contains("spread over 5 × 5 pixels"), "{said}");
+        let description = task.model.describe();
+        assert!(
+            description.contains("spread over 5 × 5 pixels"),
+            "{description}"
+        );
     }
 
     #[test]

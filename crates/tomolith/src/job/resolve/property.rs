@@ -21,7 +21,7 @@ pub(crate) struct PropertyMap {
     pub(crate) name: String,
     pub(crate) unit: String,
     /// The species whose response is mapped, and the one by whose response that is divided first, where there is one.
-    pub(crate) of: usize,
+    pub(crate) species: usize,
     pub(crate) over: Option<usize>,
     pub(crate) map: Arc<dyn Response>,
     /// Whether the map gives the decimal logarithm.
@@ -33,7 +33,7 @@ pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
     let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
     let number = |key: String, name: Option<&str>| {
         let Some(name) = name else { return Ok(None) };
-        let found = names.iter().position(|own| *own == name);
+        let found = names.iter().position(|species| *species == name);
         found.map(Some).ok_or_else(|| {
             let accepted = match names.is_empty() {
                 true => "a job with [[species]], or no such key".to_owned(),
@@ -42,10 +42,13 @@ pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
             Error::config(key, format!("no species is called {name:?}"), accepted)
         })
     };
-    let map_of = |(i, own): (usize, &PropertySpec)| {
+    let map_of = |(i, property): (usize, &PropertySpec)| {
         let key = format!("property[{i}]");
-        let map = Section::new(format!("{key}.map"), own.map.clone()).based(base);
-        let of = match (number(format!("{key}.of"), own.of.as_deref())?, names.len()) {
+        let map = Section::new(format!("{key}.map"), property.map.clone()).based(base);
+        let species = match (
+            number(format!("{key}.of"), property.of.as_deref())?,
+            names.len(),
+        ) {
             (None, 2..) => {
                 let accepted = format!("one of {}", names.join(", "));
                 return Err(Error::config(
@@ -57,12 +60,12 @@ pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
             (found, _) => found.unwrap_or(0),
         };
         Ok(PropertyMap {
-            of,
-            over: number(format!("{key}.over"), own.over.as_deref())?,
+            species,
+            over: number(format!("{key}.over"), property.over.as_deref())?,
             map: response(&map)?,
-            name: own.name.clone(),
-            unit: own.unit.clone(),
-            is_logarithmic: own.log10,
+            name: property.name.clone(),
+            unit: property.unit.clone(),
+            is_logarithmic: property.log10,
         })
     };
     spec.property.iter().enumerate().map(map_of).collect()

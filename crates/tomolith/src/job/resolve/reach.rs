@@ -248,9 +248,9 @@ mod tests {
         tomolith_core::near!(bent.reach_mm, 4.0, 1e-9);
         tomolith_core::contains!(bent.warning(), "use one that is 1.24 times as wide");
         // A field that begins 0.1 mm from the axis
-        let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
-        assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));
-        tomolith_core::contains!(beside.warning(), "smaller `offset_mm`");
+        let off_axis = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
+        assert_eq!((off_axis.reach_mm, off_axis.share), (0.0, 1.0));
+        tomolith_core::contains!(off_axis.warning(), "smaller `offset_mm`");
     }
 
     #[test]

@@ -190,7 +190,7 @@ fn is_dark_beyond(asked: Asked<'_>, lights: &[Light]) -> bool {
         species,
     } = asked;
     let spreads = lights.iter().any(|light| light.point_spread.is_some());
-    let seeks = species.iter().any(|own| own.goal.seeks_window());
+    let seeks = species.iter().any(|species| species.goal.seeks_window());
     let has_one_part = spec.species.len() <= 1 && spec.scenario.is_empty();
     let stays = spec.material.is_none();
     let is_lit = lights.iter().any(|light| light.selection.has_background);
@@ -240,7 +240,7 @@ pub(crate) fn evaluation_refine(grid: &VolumeGrid, levels: &[Level]) -> usize {
 
 /// What to say of voxels that the job did not ask for.
 pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
-    let of = |level: &Level| {
+    let text_of = |level: &Level| {
         let [nz, ny, nx] = level.grid.shape;
         let mut angles: Vec<usize> = level.lights.iter().map(|light| light.sub_angles).collect();
         angles.dedup();
@@ -261,11 +261,13 @@ pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
     match levels {
         [first, .., last] => Some(format!(
             "patterns are optimized on {} up to iteration {}, then on {}",
-            of(first),
+            text_of(first),
             first.until,
-            of(last)
+            text_of(last)
         )),
-        [level] if level.grid != *grid => Some(format!("patterns are optimized on {}", of(level))),
+        [level] if level.grid != *grid => {
+            Some(format!("patterns are optimized on {}", text_of(level)))
+        }
         _ => None,
     }
 }
@@ -284,7 +286,7 @@ pub(crate) fn unheard(spec: &JobSpec, levels: &[Level], grid: &VolumeGrid) -> Op
 
 /// What to say where weights or bands of the job's voxels keep the optimization from finer ones.
 pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<String> {
-    let goals = || asked.species.iter().map(|own| &own.goal);
+    let goals = || asked.species.iter().map(|species| &species.goal);
     let would_refine = goals().all(Goal::weighs_fractions)
         && may_refine(asked, family.capabilities().refines)
         && asked.spec.multiresolution.is_none();
@@ -298,7 +300,7 @@ pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<St
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
 fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
-    let mut goals = asked.species.iter().map(|own| &own.goal);
+    let mut goals = asked.species.iter().map(|species| &species.goal);
     may_refine(asked, refines) && goals.all(Goal::sees_fractions)
 }
 
@@ -320,7 +322,7 @@ fn has_free_cells(asked: Asked<'_>, refines: Refines) -> bool {
     let mut species = asked.species.iter();
     refines == Refines::Cells
         && !asks_of_voxels(asked.spec)
-        && species.all(|own| own.has_cells && !own.goal.has_fields())
+        && species.all(|species| species.has_cells && !species.goal.has_fields())
 }
 
 /// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
@@ -360,7 +362,8 @@ fn finest(
     let along = along(grid, lights);
     let wanted = across(grid, lights, PER_PIXEL);
     let angles = turning_angles(spec, lights, bounds_mm);
-    let of_light = |(light, &own): (&Light, &usize)| light.pixels.frames() * own.min(PAID_ANGLES);
+    let of_light =
+        |(light, &angles): (&Light, &usize)| light.pixels.frames() * angles.min(PAID_ANGLES);
     let frames: usize = lights.iter().zip(&angles).map(of_light).sum();
     let cost = |grid: &VolumeGrid| {
         let [nz, ny, nx] = grid.shape;
@@ -509,15 +512,15 @@ mod tests {
 
     #[test]
     fn a_refinement_that_changes_nothing_is_told() {
-        let told = |surface: &str, more: &[&str]| {
+        let note_of = |surface: &str, more: &[&str]| {
             let (levels, _) = levels_of(surface, more);
             let spec = small(surface, more).spec;
             unheard(&spec, &levels, &VolumeGrid::centered([10, 10, 10], 0.1))
         };
-        assert_eq!(told("fraction", &["grid.refine=2"]), None);
-        assert_eq!(told("voxel", &["grid.refine=1"]), None);
-        assert_eq!(told("voxel", &[]), None);
-        let text = told("voxel", &["grid.refine=2"]).unwrap();
+        assert_eq!(note_of("fraction", &["grid.refine=2"]), None);
+        assert_eq!(note_of("voxel", &["grid.refine=1"]), None);
+        assert_eq!(note_of("voxel", &[]), None);
+        let text = note_of("voxel", &["grid.refine=2"]).unwrap();
         assert!(
             text.starts_with("grid.refine = 2 changes nothing here"),
             "{text}"

@@ -207,7 +207,7 @@ pub(crate) fn part_of_a_turn(spec: &JobSpec) -> Option<String> {
 
 /// Two doses at which resin gels: that of plans by dose alone, and that of the print in time.
 pub(crate) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
-    let own = spec.resin.critical_dose_mj_per_mm3?;
+    let of_resin = spec.resin.critical_dose_mj_per_mm3?;
     let photopolymer = spec.photopolymer()?;
     let of_networks = photopolymer
         .networks
@@ -219,11 +219,11 @@ pub(crate) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
             Curing::RateLaw { .. } => None,
         });
     let doses: Vec<f64> = of_networks.collect();
-    let other = *doses.first().filter(|_| !doses.contains(&own))?;
+    let other = *doses.first().filter(|_| !doses.contains(&of_resin))?;
     Some(format!(
         "resin.critical_dose_mj_per_mm3 = {} counts where dose alone is looked at (time to print, `tomolith expose`), and the print in time gels at {} mJ/mm³: \
          give both the same, or leave the first out",
-        concise(own),
+        concise(of_resin),
         concise(other)
     ))
 }
@@ -273,9 +273,9 @@ pub(crate) fn given_patterns(method: &Method, optics: &Optics) -> Result<Vec<Str
         read(&format!("start.patterns.or[{i}]"), file)?;
     }
     let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
-        let (found, own) = (array.shape, light.pixels.shape());
-        (found != own).then(|| {
-            format!("{key}: patterns of {found:?} [angle, row, column] are resampled to {own:?} over the same field of view")
+        let (found, expected) = (array.shape, light.pixels.shape());
+        (found != expected).then(|| {
+            format!("{key}: patterns of {found:?} [angle, row, column] are resampled to {expected:?} over the same field of view")
         })
     });
     Ok(others.collect())

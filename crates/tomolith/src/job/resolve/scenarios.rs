@@ -41,10 +41,10 @@ pub(crate) fn of_job(resolved: &ResolvedJob) -> Result<Vec<Scenario>> {
     }
     must_be_told_apart(&resolved.spec)?;
     must_fit(resolved)?;
-    let scenario = |(i, own): (usize, &ScenarioSpec)| {
-        let name = own.name.clone();
+    let scenario = |(i, spec): (usize, &ScenarioSpec)| {
+        let name = spec.name.clone();
         let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
-        Scenario::new(resolved, name, &own.set).map_err(|error| at_scenario(i, own, error))
+        Scenario::new(resolved, name, &spec.set).map_err(|error| at_scenario(i, spec, error))
     };
     given.iter().enumerate().map(scenario).collect()
 }
@@ -255,9 +255,9 @@ pub(crate) mod tests {
             let job = resolved(scenarios, &changes).unwrap();
             job.levels.last().unwrap().grid.clone()
         };
-        let own = finest(&["resin.absorption_per_mm = 0.3"]);
+        let together = finest(&["resin.absorption_per_mm = 0.3"]);
         let alone = finest(&[]);
-        assert!(alone.shape[0] < own.shape[0] && alone.shape[1..] == own.shape[1..]);
+        assert!(alone.shape[0] < together.shape[0] && alone.shape[1..] == together.shape[1..]);
     }
 
     #[test]

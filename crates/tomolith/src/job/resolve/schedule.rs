@@ -39,8 +39,9 @@ impl JobSpec {
     /// The angles of all frames of a light: those of a turn, or of all turns where each has patterns of its own.
     pub(crate) fn angles_of(&self, light: usize) -> Angles {
         let angles = &self.light[light].angles;
-        let own = self.schedule.as_ref().filter(|given| given.own_patterns);
-        own.and_then(|given| angles.turn_after_turn(given.turns as usize))
+        let schedule = self.schedule.as_ref().filter(|given| given.own_patterns);
+        schedule
+            .and_then(|given| angles.turn_after_turn(given.turns as usize))
             .unwrap_or_else(|| angles.clone())
     }
 }
@@ -68,8 +69,8 @@ fn at_schedule(spec: &JobSpec, error: Error) -> Error {
         }
         Some((light, "power")) => {
             let i: Option<usize> = light.strip_prefix("light[").and_then(|i| i.parse().ok());
-            let own = i.and_then(|i| spec.light.get(i)).and_then(|l| l.power);
-            let key = match own {
+            let power = i.and_then(|i| spec.light.get(i)).and_then(|l| l.power);
+            let key = match power {
                 Some(_) => format!("{light}].power"),
                 None => "schedule.power".to_owned(),
             };

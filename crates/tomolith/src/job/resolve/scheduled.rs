@@ -66,8 +66,8 @@ pub(crate) fn budget(
 
 /// When the last frame of a light ends, s.
 fn shone_until(schedule: &Schedule, light: usize) -> f64 {
-    let own = schedule.exposures().iter().filter(|e| e.light == light);
-    own.map(|e| e.begin_s + e.seconds).fold(0.0, f64::max)
+    let exposures = schedule.exposures().iter().filter(|e| e.light == light);
+    exposures.map(|e| e.begin_s + e.seconds).fold(0.0, f64::max)
 }
 
 /// The most that the printer gives of a light, mW/cm².
@@ -77,8 +77,10 @@ fn peak(spec: &JobSpec, light: usize) -> Option<f64> {
 
 /// Irradiance of a pattern value of 1 of a light, mW/mm².
 fn unit(schedule: &Schedule, light: usize) -> f64 {
-    let own = schedule.exposures().iter().filter(|e| e.light == light);
-    own.map(|e| e.irradiance_mw_per_mm2).fold(0.0, f64::max)
+    let exposures = schedule.exposures().iter().filter(|e| e.light == light);
+    exposures
+        .map(|e| e.irradiance_mw_per_mm2)
+        .fold(0.0, f64::max)
 }
 
 /// Warns of lights that must be brighter than the printer is, so that the times of the schedule cannot be kept.
@@ -95,13 +97,13 @@ pub(crate) fn too_bright(job: &ResolvedJob, shown: &[Patterns]) -> Result<Vec<St
         let name = spec.light[i].name.as_deref();
         // Rounding is no lack of light
         (asked > 1.001 * peak).then(|| {
-            let said = told_apart(&[asked, peak], 3);
+            let numbers = told_apart(&[asked, peak], 3);
             format!(
                 "the schedule needs {} mW/cm² where {} is brightest, and the printer gives {} (printer.peak_irradiance_mw_per_cm2): it cannot show these \
                  patterns in this time; use longer turns (schedule.seconds_per_turn), more turns with less power each, or a larger schedule.duty",
-                said[0],
+                numbers[0],
                 name.map_or_else(|| format!("light[{i}]"), str::to_owned),
-                said[1],
+                numbers[1],
             )
         })
     };

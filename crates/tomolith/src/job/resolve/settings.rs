@@ -31,8 +31,8 @@ impl ResolvedJob {
 
     /// The bounds of the pixels of a light: the least value, and the largest, where the job names one.
     pub(crate) fn bounds_of(&self, light: usize) -> (f64, Option<f64>) {
-        let (own, all) = (&self.spec.light[light].bounds, &self.spec.bounds);
-        (own.min.unwrap_or(all.min), own.max.or(all.max))
+        let (of_light, all) = (&self.spec.light[light].bounds, &self.spec.bounds);
+        (of_light.min.unwrap_or(all.min), of_light.max.or(all.max))
     }
 
     /// When checkpoints are written.

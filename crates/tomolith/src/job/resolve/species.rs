@@ -61,7 +61,7 @@ impl Species {
     ) -> Result<Vec<Self>> {
         let spec = &job.spec;
         let each = |s: usize| {
-            let name = spec.species.get(s).map(|own| own.name.clone());
+            let name = spec.species.get(s).map(|species| species.name.clone());
             let of_species = Self::read(name, &spec.of_species(s), job, method, model, work);
             of_species.map_err(|e| at_species(spec, s, e))
         };
@@ -112,13 +112,13 @@ pub(crate) fn must_be_held(
     grid: Option<&VolumeGrid>,
 ) -> Result<Vec<String>> {
     let mut units = Vec::new();
-    for (s, own) in species.iter_mut().enumerate() {
+    for (s, species) in species.iter_mut().enumerate() {
         let of_species = spec.of_species(s);
         let at = |error| at_species(spec, s, error);
-        own.wall_tolerance_mm = wall_tolerance_mm(&of_species, grid).map_err(at)?;
-        let unit = ask_for_unit(&of_species, optics, own.shape.as_ref());
+        species.wall_tolerance_mm = wall_tolerance_mm(&of_species, grid).map_err(at)?;
+        let unit = ask_for_unit(&of_species, optics, species.shape.as_ref());
         // Light need reach only what is printed
-        let held = optics.must_hold(&of_species, own.printed(), own.wall_tolerance_mm);
+        let held = optics.must_hold(&of_species, species.printed(), species.wall_tolerance_mm);
         held.map_err(|e| at(e.asking(unit.as_deref())))?;
         units.push(unit.into_iter().collect());
     }
@@ -137,8 +137,8 @@ pub(crate) fn must_be_on(
     work: &Work,
 ) -> Result<Vec<String>> {
     let is_coarse = optics.are_coarse(grid);
-    let each = species.iter().enumerate().map(|(s, own)| {
-        let (of_species, shape) = (spec.of_species(s), own.shape.as_ref());
+    let each = species.iter().enumerate().map(|(s, species)| {
+        let (of_species, shape) = (spec.of_species(s), species.shape.as_ref());
         let unit = ask_for_unit(&of_species, optics, shape);
         must_be_seen(&of_species, shape, grid, unit.as_deref(), is_coarse)
             .and_then(|()| clip::must_hold(&spec.grid, grid, shape, work))
@@ -150,10 +150,10 @@ pub(crate) fn must_be_on(
 
 /// Texts about each of several species, with its name before what does not hold for all of them.
 pub(crate) fn named(species: &[Species], texts: Vec<Vec<String>>) -> Vec<String> {
-    let is_of_all = |text: &String| texts.iter().all(|own| own.contains(text));
+    let is_of_all = |text: &String| texts.iter().all(|each| each.contains(text));
     let mut all: Vec<String> = texts[0].iter().filter(|t| is_of_all(t)).cloned().collect();
-    for (own, texts) in species.iter().zip(&texts) {
-        let name = own.name.as_deref().unwrap_or_default();
+    for (species, texts) in species.iter().zip(&texts) {
+        let name = species.name.as_deref().unwrap_or_default();
         let apart = texts.iter().filter(|text| !is_of_all(text));
         all.extend(apart.map(|text| format!("{name}: {text}")));
     }
@@ -174,7 +174,7 @@ pub(crate) fn must_fit(resolved: &ResolvedJob) -> Result<()> {
             "another model, or no [[species]]",
         ));
     }
-    if resolved.species.iter().any(|own| own.has_cells) {
+    if resolved.species.iter().any(|species| species.has_cells) {
         let found = "an objective whose surface cuts voxels into cells";
         return Err(Error::config(
             "species",
@@ -279,12 +279,12 @@ mod tests {
         let [violet, uv] = [0, 1].map(|i| spec.resin_of(i));
         assert_eq!(violet.attenuation_per_mm, Some(0.3));
         // Its absorption is another one, so the attenuation of the others says nothing of it
-        let own = (
+        let resin = (
             uv.refractive_index,
             uv.absorption_per_mm,
             uv.attenuation_per_mm,
         );
-        assert_eq!(own, (1.6, Some(0.4), None));
+        assert_eq!(resin, (1.6, Some(0.4), None));
         let job = resolved(&[]).unwrap();
         let resins = job.lights().iter().map(|light| &light.resin);
         let seen: Vec<_> = resins
@@ -295,14 +295,14 @@ mod tests {
 
     #[test]
     fn what_does_not_hold_for_all_species_is_told_with_a_name() {
-        let told = |changes: &[&str]| {
+        let warning_of = |changes: &[&str]| {
             let warnings = resolved(changes).unwrap().warnings;
             let of_pixels = |text: &String| text.contains("a pixel is 0.1 mm wide");
             warnings.into_iter().find(of_pixels)
         };
-        assert_eq!(told(&["grid.pitch_mm=0.04"]), None);
+        assert_eq!(warning_of(&["grid.pitch_mm=0.04"]), None);
         let small = "species[1].target.size_mm=0.08";
-        let text = told(&["grid.pitch_mm=0.04", small]).unwrap();
+        let text = warning_of(&["grid.pitch_mm=0.04", small]).unwrap();
         assert!(text.starts_with("stiff: light[0]: a pixel"), "{text}");
     }
 

@@ -44,11 +44,11 @@ fn slices_lie_on_the_rows_of_the_pixels() {
 fn light_from_less_than_half_a_turn_is_told() {
     use super::optics::tests::spec;
     use super::remarks::narrow_arc;
-    let said = |angles: &str| narrow_arc(&spec(&[&format!("light.angles={angles}")]));
-    let narrow = said("{ count = 36, start_deg = 300, arc_deg = 90 }").unwrap();
+    let remark_of = |angles: &str| narrow_arc(&spec(&[&format!("light.angles={angles}")]));
+    let narrow = remark_of("{ count = 36, start_deg = 300, arc_deg = 90 }").unwrap();
     assert!(narrow.contains("an arc of 90°"), "{narrow}");
     // Half a turn is enough, and few directions are told otherwise
     for angles in ["{ count = 36, arc_deg = 180 }", "72", "12", "4"] {
-        assert_eq!(said(angles), None, "{angles}");
+        assert_eq!(remark_of(angles), None, "{angles}");
     }
 }

@@ -27,8 +27,8 @@ pub(crate) fn must_fit(spec: &JobSpec) -> Result<()> {
         };
     };
     let dose = given.optimize == Against::Dose;
-    if let Some(own) = &spec.material {
-        must_be_one(own, dose)?;
+    if let Some(material) = &spec.material {
+        must_be_one(material, dose)?;
     }
     if spec.multiresolution.is_some() && spec.shows_every_frame() {
         return Err(Error::config(
@@ -48,7 +48,11 @@ pub(crate) fn must_fit(spec: &JobSpec) -> Result<()> {
     must_be_times(given, &schedule(spec)?)?;
     let mixing = spec.mixing()?;
     let mut domain = Domain::new(VolumeGrid::centered([1, 1, 1], 0.1));
-    if spec.material.as_ref().is_some_and(|own| own.air_on_top) {
+    if spec
+        .material
+        .as_ref()
+        .is_some_and(|material| material.air_on_top)
+    {
         domain = domain.with_air_on_top();
     }
     let material = material(spec, mixing.as_deref(), domain)?;
@@ -149,9 +153,9 @@ fn must_begin_as_the_resin(spec: &JobSpec) -> Result<()> {
 /// # Errors
 /// [`Error::Config`] at the key that asks for cells.
 pub(crate) fn must_be_whole(spec: &JobSpec, goal: &Goal) -> Result<()> {
-    let own = spec.material.as_ref();
+    let material = spec.material.as_ref();
     let against = spec.schedule.as_ref().map(|given| given.optimize);
-    let found = if own.is_some_and(|material| material.diffusion.is_some()) {
+    let found = if material.is_some_and(|material| material.diffusion.is_some()) {
         "cells, and material.diffusion, which knows whole voxels only"
     } else if against.is_some_and(|against| against != Against::Dose) {
         "cells, and schedule.optimize, which knows whole voxels only"
@@ -197,11 +201,11 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
 
 /// Refuses networks that have the names of species in another order: a network is that of the species at its place.
 fn must_be_in_order(spec: &JobSpec, rows: &[Row]) -> Result<()> {
-    for (s, (network, (own, _))) in spec.networks().iter().zip(rows).enumerate() {
-        if network.name != *own && rows.iter().any(|(name, _)| *name == network.name) {
+    for (s, (network, (species, _))) in spec.networks().iter().zip(rows).enumerate() {
+        if network.name != *species && rows.iter().any(|(name, _)| *name == network.name) {
             return Err(Error::config(
                 format!("material.photopolymer.networks[{s}].name"),
-                format!("`{}`, in the place of species `{own}`", network.name),
+                format!("`{}`, in the place of species `{species}`", network.name),
                 "networks in the order of the species, one for each",
             ));
         }
@@ -211,8 +215,8 @@ fn must_be_in_order(spec: &JobSpec, rows: &[Row]) -> Result<()> {
 
 /// Refuses what asks for an inhibitor where there is none.
 fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> Result<()> {
-    let (own, networks) = (spec.material.as_ref(), spec.networks());
-    let has_air = own.is_some_and(|material| material.air_on_top);
+    let (material, networks) = (spec.material.as_ref(), spec.networks());
+    let has_air = material.is_some_and(|material| material.air_on_top);
     let stays_empty = |s: usize, inhibitor: &Inhibitor| {
         let is_made = rows
             .get(s)
@@ -356,7 +360,7 @@ fn must_be_few(spec: &JobSpec, material: &Photopolymer, schedule: &Schedule) -> 
 
 /// The key of what diffuses fastest through the faces of voxels, mm²/s.
 fn fastest(spec: &JobSpec) -> (String, f64) {
-    let of = |(s, network): (usize, &Network)| {
+    let rates_of = |(s, network): (usize, &Network)| {
         let at = format!("material.photopolymer.networks[{s}]");
         let dose = network.dose_diffusion_mm2_per_s;
         let inhibitors = network.inhibitors.iter().enumerate();
@@ -367,7 +371,7 @@ fn fastest(spec: &JobSpec) -> (String, f64) {
         let dose = std::iter::once((format!("{at}.dose_diffusion_mm2_per_s"), dose));
         dose.chain(inhibitors).collect::<Vec<_>>()
     };
-    let all = spec.networks().iter().enumerate().flat_map(of);
+    let all = spec.networks().iter().enumerate().flat_map(rates_of);
     let fastest = all.max_by(|a, b| a.1.total_cmp(&b.1));
     fastest.unwrap_or_else(|| ("material.photopolymer".to_owned(), 0.0))
 }

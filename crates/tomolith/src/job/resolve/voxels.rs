@@ -53,9 +53,9 @@ impl ResolvedJob {
     /// The inside fractions of their parts.
     pub(crate) fn sampled(&self, grid: &VolumeGrid, work: &Work) -> Result<Vec<Target>> {
         let share = 1.0 / self.species.len() as f64;
-        let sampled = |own: &Species| {
-            let (shape, work) = (own.shape.as_ref(), work.part(share));
-            let target = target::voxelize_under(shape, &own.part, grid, &work);
+        let sampled = |species: &Species| {
+            let (shape, work) = (species.shape.as_ref(), work.part(share));
+            let target = target::voxelize_under(shape, &species.part, grid, &work);
             target.map_err(|e| at_grid(&self.spec, e))
         };
         self.species.iter().map(sampled).collect()
@@ -69,7 +69,7 @@ impl ResolvedJob {
         work: &Work,
     ) -> Result<Vec<Voxels>> {
         let all = targets.into_iter().zip(&self.species);
-        all.map(|(target, own)| self.labeled(target, own, grid, work))
+        all.map(|(target, species)| self.labeled(target, species, grid, work))
             .collect()
     }
 
@@ -113,7 +113,7 @@ impl ResolvedJob {
     /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
     pub(crate) fn warnings_of(&self, voxels: &[Voxels]) -> Result<Vec<String>> {
         let mut found = self.warned(&self.optics, voxels)?;
-        let regions = self.species.iter().zip(voxels).map(|(own, voxels)| {
+        let regions = self.species.iter().zip(voxels).map(|(species, voxels)| {
             let layout = DoseLayout::new("dose", voxels.labels.grid.clone(), 0);
             let ground = Ground {
                 layout: &layout,
@@ -121,7 +121,7 @@ impl ResolvedJob {
                 target: &voxels.target,
                 base: &self.base,
             };
-            let objectives = own.goal.objectives().iter();
+            let objectives = species.goal.objectives().iter();
             let warnings = objectives.map(|objective| objective.warnings(&ground));
             warnings.collect::<Result<Vec<_>>>().map(|all| all.concat())
         });
@@ -141,8 +141,8 @@ impl ResolvedJob {
     /// What lies outside the resin, or beyond the reach of these optics.
     fn warned(&self, optics: &Optics, voxels: &[Voxels]) -> Result<Vec<String>> {
         let each = self.species.iter().zip(voxels).enumerate();
-        let each = each.map(|(s, (own, Voxels { target, labels, .. }))| {
-            let tolerance_mm = own.wall_tolerance_mm;
+        let each = each.map(|(s, (species, Voxels { target, labels, .. }))| {
+            let tolerance_mm = species.wall_tolerance_mm;
             let found = optics.warnings(&target.inside, labels, target.gray, tolerance_mm);
             found.map_err(|e| at_species(&self.spec, s, e))
         });

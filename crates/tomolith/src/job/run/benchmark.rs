@@ -481,7 +481,7 @@ impl CallRates {
         let last = &calls[calls.len() - 1];
         let before = &calls[calls.len().saturating_sub(2)];
         let rate = |i: usize| {
-            let point = |own: &Calls| (own.updates as f64, own.seconds[i]);
+            let point = |calls: &Calls| (calls.updates as f64, calls.seconds[i]);
             CallRate::through([before, last].map(point))
         };
         CallRates {

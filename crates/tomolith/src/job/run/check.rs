@@ -110,12 +110,12 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
     }
     let memory_budget_mb = resolved.memory_budget_mb();
     if let Some((text, is_much)) = demand.of_scenarios(&rates, memory_budget_mb) {
-        let told = if is_much {
+        let texts = if is_much {
             &mut warnings
         } else {
             &mut resolved.notes
         };
-        told.push(text);
+        texts.push(text);
     }
     let [x, y, z] = [2, 1, 0].map(|axis| resolved.grid.shape[axis]);
     let refine = resolved.extent.refine;

@@ -47,7 +47,7 @@ impl<'p> Clock<'p> {
             let of_it = optimized.filter(|_| *name == OPTIMIZING);
             timings.extend(
                 of_it
-                    .and_then(|own| parts_of(seconds, own))
+                    .and_then(|optimized| parts_of(seconds, optimized))
                     .into_iter()
                     .flatten(),
             );

@@ -88,10 +88,10 @@ impl Demand<'_> {
             return more as f64 * (4.0 + also + refine as f64) * dose.seconds(updates);
         }
         // Raw and written on the job's voxels, turning on finer ones
-        let [own, turning] = self.sub_angles;
+        let [optimizing, turning] = self.sub_angles;
         let tried = self.extent.work(rates.evaluating_refine);
-        let calls =
-            (2.0 * own + also * turning) * self.extent.work(1) + turning * self.extent.work(refine);
+        let calls = (2.0 * optimizing + also * turning) * self.extent.work(1)
+            + turning * self.extent.work(refine);
         (3.0 + also) * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
 
@@ -145,13 +145,13 @@ impl Demand<'_> {
 
     /// An iteration, s.
     fn step_s(&self, rates: &Rates) -> f64 {
-        let (extent, own) = (self.extent, self.sub_angles[0]);
+        let (extent, sub_angles) = (self.extent, self.sub_angles[0]);
         let [_, _, dose_s, adjoint_s] = seconds(&rates.calls, extent.frames as f64);
         let vectors = extent.active_pixels as f64 * rates.vector_s;
         // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
         let of_levels =
             |all_s: f64, begin_s: f64| begin_s + extent.effort * (all_s - begin_s).max(0.0);
-        let step_s = own
+        let step_s = sub_angles
             * (rates.doses_per_step * of_levels(dose_s, rates.calls.dose.begin_s)
                 + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
             + extent.effort * PASSES * rates.objective_s
@@ -164,17 +164,17 @@ impl Demand<'_> {
         let Demand {
             extent, iterations, ..
         } = *self;
-        let own = self.sub_angles[0];
+        let sub_angles = self.sub_angles[0];
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
         let frames = extent.frames as f64;
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
         let [evaluate_s, ..] = seconds(&rates.evaluating, frames);
         let optimization_s = (iterations as f64 * self.step_s(rates))
             .min(self.wall_s.unwrap_or(f64::INFINITY))
-            + extent.models() * (OTHER_CALLS * own * dose_s + first_s + model_s)
+            + extent.models() * (OTHER_CALLS * sub_angles * dose_s + first_s + model_s)
             + if self.levels {
                 let [doses, adjoints] = levels::CALLS.map(|calls| calls as f64);
-                own * (doses * dose_s + adjoints * adjoint_s)
+                sub_angles * (doses * dose_s + adjoints * adjoint_s)
             } else {
                 0.0
             };
@@ -299,22 +299,22 @@ mod tests {
             fields: 4,
             ..extent.clone()
         };
-        let beside = Demand {
+        let with_scenarios = Demand {
             extent: &scenarios,
             ..demand
         };
-        let more = beside.cost(&rates());
+        let more = with_scenarios.cost(&rates());
         let begun = 2.0 * (4.0 * 3.5 + 6.05 + 0.55);
         assert!((more.optimization_s - finer.optimization_s - begun).abs() < 1e-9);
         assert!((more.rest_s - rest - 2.0 * (6.5 + 1.0 + 4.0 * 48.0)).abs() < 1e-9);
-        let (text, is_much) = beside.of_scenarios(&rates(), Some(1000)).unwrap();
+        let (text, is_much) = with_scenarios.of_scenarios(&rates(), Some(1000)).unwrap();
         assert!(
             text.starts_with("2 scenarios: an iteration computes 3 doses"),
             "{text}"
         );
         let long = Demand {
             iterations: 100,
-            ..beside
+            ..with_scenarios
         };
         assert!(!is_much && long.of_scenarios(&rates(), None).unwrap().1);
         assert_eq!(demand.of_scenarios(&rates(), None), None);

@@ -88,8 +88,8 @@ impl Job {
         continued: bool,
     ) -> Result<Self> {
         let absolute = |file: &Path| std::path::absolute(file).map_err(|e| Error::io(file, e));
-        let mut own = with_every_default(self.spec.clone()).start;
-        if let Some(Value::String(file)) = own.pointer_mut("/patterns/file") {
+        let mut start = with_every_default(self.spec.clone()).start;
+        if let Some(Value::String(file)) = start.pointer_mut("/patterns/file") {
             *file = absolute(&self.base().join(&*file))?
                 .to_string_lossy()
                 .into_owned();
@@ -99,7 +99,7 @@ impl Job {
             .iter()
             .map(|file| absolute(file))
             .collect::<Result<Vec<_>>>()?;
-        let mut patterns = json!({ "file": file, "bounds_as": own, "scaled": true });
+        let mut patterns = json!({ "file": file, "bounds_as": start, "scaled": true });
         if !or.is_empty() {
             patterns["or"] = json!(or);
         }
@@ -125,28 +125,28 @@ mod tests {
 
     #[test]
     fn jobs_are_the_same_when_their_results_are() {
-        let own = job(&[]).identity().unwrap();
+        let identity = job(&[]).identity().unwrap();
         for same in [
             "output.folder=elsewhere",
             "resources.memory_gb=3",
             "checkpoint.every_s=7",
             "start.fbp.negative=clip", // the default
         ] {
-            assert_eq!(job(&[same]).identity().unwrap(), own, "{same}");
+            assert_eq!(job(&[same]).identity().unwrap(), identity, "{same}");
         }
         for other in [
             "evaluate.bit_depth=7",
             "stop.iterations=41",
             "objective.threshold.lower=0.84",
         ] {
-            assert_ne!(job(&[other]).identity().unwrap(), own, "{other}");
+            assert_ne!(job(&[other]).identity().unwrap(), identity, "{other}");
         }
     }
 
     #[test]
     fn what_a_file_holds_is_part_of_the_job_and_not_where_it_lies() {
         let temp = tempfile::tempdir().unwrap();
-        let of = |folder: &str, text: &str| {
+        let identity_of = |folder: &str, text: &str| {
             let folder = temp.path().join(folder);
             std::fs::create_dir_all(&folder).unwrap();
             std::fs::write(folder.join("part.stl"), text).unwrap();
@@ -154,13 +154,13 @@ mod tests {
             let document = Document::toml(folder.join("a.toml"), job_text).unwrap();
             Job::from_document(document).unwrap().identity().unwrap()
         };
-        assert_eq!(of("a", "solid"), of("b", "solid"));
-        assert_ne!(of("a", "solid"), of("c", "other"));
+        assert_eq!(identity_of("a", "solid"), identity_of("b", "solid"));
+        assert_ne!(identity_of("a", "solid"), identity_of("c", "other"));
 
         // The slices of a stack, and files that a scenario or a list of starts names
         let folder = temp.path().join("d");
         std::fs::create_dir_all(&folder).unwrap();
-        let of = |file: &str, content: &str, target: &str, more: &str| {
+        let identity_of = |file: &str, content: &str, target: &str, more: &str| {
             std::fs::write(folder.join(file), content).unwrap();
             let text = FULL.replacen("phantom = \"gear\"", target, 1) + more;
             let document = Document::toml(folder.join("a.toml"), text).unwrap();
@@ -168,14 +168,14 @@ mod tests {
         };
         let stack = "stack = \"slice*.png\"";
         assert_ne!(
-            of("slice1.png", "1", stack, ""),
-            of("slice1.png", "2", stack, "")
+            identity_of("slice1.png", "1", stack, ""),
+            identity_of("slice1.png", "2", stack, "")
         );
         let gear = "phantom = \"gear\"";
         let scenario = "\n[[scenario]]\nset = { \"light[0].selection.mask\" = \"mask.npy\" }\n";
         assert_ne!(
-            of("mask.npy", "1", gear, scenario),
-            of("mask.npy", "2", gear, scenario)
+            identity_of("mask.npy", "1", gear, scenario),
+            identity_of("mask.npy", "2", gear, scenario)
         );
         let mut job = job(&[]).with_folder(&folder, "test");
         let of_starts = |job: &mut Job, content: &str| {
@@ -203,7 +203,7 @@ mod tests {
         "#;
         let file = temp.path().join("job.toml");
         std::fs::write(&file, text).unwrap();
-        let own = Job::read(&file, &[]).unwrap();
+        let original = Job::read(&file, &[]).unwrap();
         let raw = |job: &Job| {
             crate::job::run_leaving(job, false, Leaves::Patterns, &mut Silent, &Work::new())
                 .unwrap();
@@ -212,7 +212,7 @@ mod tests {
         };
         let brightest = |values: &[f32]| values.iter().copied().fold(0.0f32, f32::max);
         let at = |job: Job, name: &str| job.with_folder(&temp.path().join(name), "test");
-        let start = raw(&at(own.clone(), "own"));
+        let start = raw(&at(original.clone(), "own"));
         let brighter = Patterns {
             grid: PatternGrid::full_turn(12, 0.0, 14, 20, 0.1),
             values: start.iter().map(|v| 3.0 * v).collect(),
@@ -224,8 +224,8 @@ mod tests {
             raw: None,
         };
         write_patterns(&file, &[pair], &Work::new()).unwrap();
-        let job = own.clone();
-        let given = at(own.starting_from(&file, &[], false).unwrap(), "given");
+        let job = original.clone();
+        let given = at(original.starting_from(&file, &[], false).unwrap(), "given");
         let bound = brightest(&start);
         let found = brightest(&raw(&given));
         assert!(found <= bound && found > 0.1 * bound, "{found} of {bound}");

@@ -62,7 +62,9 @@ fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
     let families = all.iter().map(|optics| optics.family(&resolved.grid));
     let families = families.collect::<Result<Vec<_>>>()?;
     let mut lights = all.iter().flat_map(|optics| &optics.lights);
-    let has_heights = resolved.schedule().is_some_and(|own| own.level_heights);
+    let has_heights = resolved
+        .schedule()
+        .is_some_and(|schedule| schedule.level_heights);
     for (key, is_there, found, accepted) in [
         (
             "schedule",

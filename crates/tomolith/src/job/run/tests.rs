@@ -137,12 +137,20 @@ fn an_observer_has_copies_of_every_iteration_and_of_what_is_evaluated() {
         .with_folder(&place.path().join("run"), "--output");
     let mut looker = Looker::default();
     super::run(&job, false, &mut looker, &Work::new()).unwrap();
-    let seen: Vec<Option<usize>> = looker.0.iter().map(|own| own.iteration).collect();
+    let seen: Vec<Option<usize>> = looker.0.iter().map(|snapshot| snapshot.iteration).collect();
     assert_eq!(seen, [Some(0), Some(1), Some(2), Some(3), None]);
-    let prints: Vec<usize> = looker.0.iter().map(|own| own.print.len()).collect();
+    let prints: Vec<usize> = looker
+        .0
+        .iter()
+        .map(|snapshot| snapshot.print.len())
+        .collect();
     assert_eq!(prints, [0, 0, 1, 1, 1]);
     // The target once, on the voxels of the dose
-    let targets: Vec<usize> = looker.0.iter().map(|own| own.target.len()).collect();
+    let targets: Vec<usize> = looker
+        .0
+        .iter()
+        .map(|snapshot| snapshot.target.len())
+        .collect();
     assert_eq!(targets, [1, 0, 0, 0, 0]);
     assert_eq!(looker.0[0].target[0].inside.grid, looker.0[0].dose[0].grid);
     let [.., last, written] = looker.0.as_slice() else {

@@ -44,7 +44,7 @@ pub(crate) fn with_others(
     first: Error,
 ) -> Error {
     let mut copy = document.clone();
-    let (mut told, mut touched) = (Vec::new(), Vec::new());
+    let (mut errors, mut touched) = (Vec::new(), Vec::new());
     let mut next = first;
     for _ in 0..REPAIRS {
         let error = next;
@@ -54,10 +54,10 @@ pub(crate) fn with_others(
         };
         let is_new = is_of_key(&error) && !follows(&touched, &error);
         touched.extend(key_of(&error).map(str::to_owned));
-        if told.is_empty() || is_new {
-            told.push(error);
+        if errors.is_empty() || is_new {
+            errors.push(error);
         }
-        let Some(mended) = mended.filter(|_| told.len() < MOST) else {
+        let Some(mended) = mended.filter(|_| errors.len() < MOST) else {
             break;
         };
         touched.push(mended);
@@ -66,13 +66,13 @@ pub(crate) fn with_others(
             Err(error) => next = error,
         }
     }
-    told.sort_by_key(|error| match error {
+    errors.sort_by_key(|error| match error {
         Error::Config { place, .. } => place.as_ref().map(|place| place.span.start),
         _ => None,
     });
-    match told.len() {
-        1 => told.remove(0),
-        _ => Error::Several(told),
+    match errors.len() {
+        1 => errors.remove(0),
+        _ => Error::Several(errors),
     }
 }
 
@@ -172,7 +172,7 @@ fn follows(touched: &[String], error: &Error) -> bool {
     let key = key_of(error).unwrap_or_default();
     touched
         .iter()
-        .any(|own| is_within(own, key) || is_within(key, own))
+        .any(|path| is_within(path, key) || is_within(key, path))
 }
 
 /// Changes what an error is about, so that what comes after it is found: the key that has changed, if one could.
@@ -244,7 +244,7 @@ mod tests {
     use crate::job::{Document, Job};
 
     /// The keys at fault in a job, and the names that are proposed.
-    fn told(text: &str) -> Vec<(String, Option<String>)> {
+    fn at_fault(text: &str) -> Vec<(String, Option<String>)> {
         let job = Document::toml("a.toml", text).and_then(Job::from_document);
         let error = match job {
             Err(error) => error,
@@ -257,7 +257,7 @@ mod tests {
             Error::Several(several) => several,
             one => vec![one],
         };
-        let of = |error: Error| match error {
+        let key_and_name = |error: Error| match error {
             Error::Config {
                 key,
                 nearest,
@@ -266,7 +266,7 @@ mod tests {
             } => (key, nearest),
             other => panic!("{other}"),
         };
-        several.into_iter().map(of).collect()
+        several.into_iter().map(key_and_name).collect()
     }
 
     #[test]
@@ -290,7 +290,7 @@ mod tests {
             [evaluate]
             bit_depth = 40
         "#;
-        let found = told(text);
+        let found = at_fault(text);
         let expected = [
             ("target.size", Some("size_mm")),
             ("resin.ior", Some("refractive_index")),
@@ -322,7 +322,7 @@ mod tests {
             light = [{ pixels = [24, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.2 } } }]
             printer = { time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 }
         "#;
-        let found = told(text);
+        let found = at_fault(text);
         assert_eq!(found.len(), 1, "{found:?}");
         assert_eq!(found[0].0, "resin.dose_needed_xyz");
     }

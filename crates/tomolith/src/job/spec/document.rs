@@ -309,7 +309,7 @@ impl Document {
             }
             if let Some(span) = self.places.get(path) {
                 *place = Some(self.place(span.clone()));
-                found.push_str(&self.beside(key, path));
+                found.push_str(&self.with_options(key, path));
                 break;
             }
             if path.is_empty() {
@@ -323,7 +323,7 @@ impl Document {
 
     /// What the command line says of a table that is blamed: anything may be the reason why it does not fit the rest of the job,
     /// and what is in it why a key is missing there.
-    fn beside(&self, key: &str, path: &str) -> String {
+    fn with_options(&self, key: &str, path: &str) -> String {
         let is_table = self.places.keys().any(|k| k != path && is_within(k, path));
         let options = self.overrides.iter();
         // Where results go and what they may take is no reason
@@ -701,14 +701,14 @@ mod tests {
         });
         assert_eq!(document.root, expected);
         // A table that does not fit the rest, or lacks a key, may do so for what the command line says
-        let told = |key| document.locate(Error::config(key, "x", "y")).to_string();
-        assert!(told("light").contains("x (from --set light[0].projector"));
+        let message_of = |key| document.locate(Error::config(key, "x", "y")).to_string();
+        assert!(message_of("light").contains("x (from --set light[0].projector"));
         let mut document = Document::toml("a.toml", text).unwrap();
         document.set("grid.pitch_mm=50").unwrap();
-        let told = |key| document.locate(Error::config(key, "x", "y")).to_string();
-        assert!(told("target").contains("x (with --set grid.pitch_mm=50)"));
-        assert!(!told("target.height_mm").contains("--set"));
-        assert!(!told("target.phantom").contains("--set"));
+        let message_of = |key| document.locate(Error::config(key, "x", "y")).to_string();
+        assert!(message_of("target").contains("x (with --set grid.pitch_mm=50)"));
+        assert!(!message_of("target.height_mm").contains("--set"));
+        assert!(!message_of("target.phantom").contains("--set"));
     }
 
     #[test]

@@ -87,7 +87,7 @@ pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
         else {
             continue;
         };
-        let own = value.as_object().cloned().unwrap_or_default();
+        let given = value.as_object().cloned().unwrap_or_default();
         let Some(name) = name.as_str() else {
             let found = format!("found {name}");
             return Err(Error::config(
@@ -97,7 +97,7 @@ pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
             ));
         };
         let mut keys = keys_of(table, name, base)?;
-        keys.extend(own);
+        keys.extend(given);
         *value = Value::Object(keys);
     }
     Ok(())
@@ -105,8 +105,8 @@ pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
 
 /// The keys of a profile: one that comes with the program, or a file of one's own.
 fn keys_of(table: &str, name: &str, base: &Path) -> Result<Map<String, Value>> {
-    let known = PROFILES.iter().filter(|own| own.table == table);
-    if let Some(profile) = known.clone().find(|own| own.name == name) {
+    let known = PROFILES.iter().filter(|profile| profile.table == table);
+    if let Some(profile) = known.clone().find(|profile| profile.name == name) {
         return read(Path::new(name), profile.text.to_owned());
     }
     if Path::new(name)
@@ -125,7 +125,7 @@ fn keys_of(table: &str, name: &str, base: &Path) -> Result<Map<String, Value>> {
         key: table.to_owned(),
         found: format!("no profile has the name {name:?}"),
         accepted: accepted(table),
-        nearest: nearest_name(name, known.map(|own| own.name)).map(str::to_owned),
+        nearest: nearest_name(name, known.map(|profile| profile.name)).map(str::to_owned),
         place: None,
     })
 }
@@ -138,8 +138,8 @@ fn read(file: &Path, text: String) -> Result<Map<String, Value>> {
 }
 
 fn accepted(table: &str) -> String {
-    let known = PROFILES.iter().filter(|own| own.table == table);
-    let names: Vec<&str> = known.map(|own| own.name).collect();
+    let known = PROFILES.iter().filter(|profile| profile.table == table);
+    let names: Vec<&str> = known.map(|profile| profile.name).collect();
     format!(
         "{}; a file `NAME.toml` with [{table}] or its keys; or the table itself",
         names.join(", ")
@@ -191,8 +191,8 @@ mod tests {
         for header in ["", "[resin]\n"] {
             let text = format!("{header}absorption_per_mm = 0.3\n");
             std::fs::write(place.path().join("ours.toml"), text).unwrap();
-            let own = job(&["resin=\"ours.toml\""], place.path()).unwrap();
-            assert_eq!(own.spec.resin.absorption_per_mm, Some(0.3));
+            let from_file = job(&["resin=\"ours.toml\""], place.path()).unwrap();
+            assert_eq!(from_file.spec.resin.absorption_per_mm, Some(0.3));
         }
     }
 

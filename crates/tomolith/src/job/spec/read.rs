@@ -385,12 +385,12 @@ mod tests {
              [resin]\nrefractive_index = 1.5\nabsorption_per_mm = 0.1\n\
              [[light]]\npixels = [60, 40]\nangles = 60\nprojector.collimated.pixel_pitch_mm = 0.1\n";
         let job = job_of(text, &[]);
-        let said = |job: &Job, key: &str| {
+        let blames_toy = |job: &Job, key: &str| {
             let error = Error::config(key, "found", "more of them");
             job.locate(error).to_string().contains("`--toy` counts")
         };
         let toy = job.clone().toy();
-        assert!(said(&toy, "light[0].pixels") && said(&toy, "grid.pitch_mm"));
-        assert!(!said(&toy, "target.mesh") && !said(&job, "light[0].pixels"));
+        assert!(blames_toy(&toy, "light[0].pixels") && blames_toy(&toy, "grid.pitch_mm"));
+        assert!(!blames_toy(&toy, "target.mesh") && !blames_toy(&job, "light[0].pixels"));
     }
 }

@@ -94,17 +94,18 @@ pub(crate) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Er
     }
     // The first of a list needs no index
     let same = |path: &str| path.replace("[0]", "");
-    let leads = |own: &&String| is_within(&same(key), &same(own)) || is_within(own, key);
-    let (own, found) = match (set.iter().find(leads), set.as_slice()) {
-        (Some(own), _) if is_within(key, own) => (format!(".{key}"), found),
-        (Some(own), _) => (format!(".{own}"), found),
+    let leads =
+        |set_key: &&String| is_within(&same(key), &same(set_key)) || is_within(set_key, key);
+    let (suffix, found) = match (set.iter().find(leads), set.as_slice()) {
+        (Some(set_key), _) if is_within(key, set_key) => (format!(".{key}"), found),
+        (Some(set_key), _) => (format!(".{set_key}"), found),
         (None, _) if key.is_empty() => (String::new(), found),
-        (None, [own]) => (format!(".{own}"), format!("`{key}`: {found}")),
+        (None, [set_key]) => (format!(".{set_key}"), format!("`{key}`: {found}")),
         (None, _) => (String::new(), format!("`{key}`: {found}")),
     };
     let name = scenario.name.as_ref();
     Error::Config {
-        key: format!("scenario[{i}].set{own}"),
+        key: format!("scenario[{i}].set{suffix}"),
         found: name.map_or_else(|| found.clone(), |name| format!("in \"{name}\", {found}")),
         accepted,
         nearest,

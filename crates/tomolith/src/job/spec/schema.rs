@@ -40,8 +40,8 @@ pub fn schema() -> Value {
         }
     }
     for (table, definition) in TABLES.into_iter().zip(["PrinterSpec", "ResinSpec"]) {
-        let names = PROFILES.iter().filter(|own| own.table == table);
-        let names: Vec<&str> = names.map(|own| own.name).collect();
+        let names = PROFILES.iter().filter(|profile| profile.table == table);
+        let names: Vec<&str> = names.map(|profile| profile.name).collect();
         let words = format!("A profile: {}, or a file NAME.toml", names.join(", "));
         let profile = json!({ "type": "string", "description": words, "examples": names });
         definitions[definition]["properties"]["profile"] = profile.clone();

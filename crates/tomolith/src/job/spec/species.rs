@@ -9,33 +9,35 @@ pub(crate) type Row = (String, Vec<f64>);
 impl JobSpec {
     /// The resin as light `i` sees it.
     pub(crate) fn resin_of(&self, i: usize) -> ResinSpec {
-        let own = &self.light[i].resin;
+        let of_light = &self.light[i].resin;
         let mut resin = self.resin.clone();
-        if let Some(index) = own.refractive_index {
+        if let Some(index) = of_light.refractive_index {
             resin.refractive_index = index;
         }
-        if own.absorption_per_mm.is_some() || own.scattering_per_mm.is_some() {
+        if of_light.absorption_per_mm.is_some() || of_light.scattering_per_mm.is_some() {
             resin.attenuation_per_mm = None;
         }
-        resin.absorption_per_mm = own.absorption_per_mm.or(resin.absorption_per_mm);
-        resin.scattering_per_mm = own.scattering_per_mm.unwrap_or(resin.scattering_per_mm);
-        resin.attenuation_per_mm = own.attenuation_per_mm.or(resin.attenuation_per_mm);
+        resin.absorption_per_mm = of_light.absorption_per_mm.or(resin.absorption_per_mm);
+        resin.scattering_per_mm = of_light
+            .scattering_per_mm
+            .unwrap_or(resin.scattering_per_mm);
+        resin.attenuation_per_mm = of_light.attenuation_per_mm.or(resin.attenuation_per_mm);
         resin
     }
 
     /// The job of one species alone: its target, objective and response in place of the whole job's.
     pub(crate) fn of_species(&self, s: usize) -> JobSpec {
         let mut spec = self.clone();
-        let Some(own) = self.species.get(s) else {
+        let Some(species) = self.species.get(s) else {
             return spec;
         };
-        if let Some(target) = &own.target {
+        if let Some(target) = &species.target {
             spec.target = target.clone();
         }
-        if let Some(objective) = &own.objective {
+        if let Some(objective) = &species.objective {
             (spec.objective, spec.objectives) = (Some(objective.clone()), None);
         }
-        if let Some(response) = &own.response {
+        if let Some(response) = &species.response {
             spec.response = response.clone();
         }
         spec
@@ -102,15 +104,15 @@ impl JobSpec {
 
 /// Names the table of a species where a key of the whole job is blamed that the species sets itself.
 pub(crate) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
-    let Some(own) = spec.species.get(s) else {
+    let Some(species) = spec.species.get(s) else {
         return error;
     };
     let sets = |key: &str| {
         let table = key.split(['.', '[']).next();
         match table {
-            Some("target") => own.target.is_some(),
-            Some("objective") => own.objective.is_some(),
-            Some("response") => own.response.is_some(),
+            Some("target") => species.target.is_some(),
+            Some("objective") => species.objective.is_some(),
+            Some("response") => species.response.is_some(),
             _ => false,
         }
     };

@@ -106,7 +106,7 @@ pub(crate) struct NetworkInTime {
 impl InTime {
     /// The closing lines about every network.
     pub(crate) fn summary(&self) -> Vec<TimeSummary> {
-        let of = |NetworkInTime { report, .. }: &NetworkInTime| {
+        let summary_of = |NetworkInTime { report, .. }: &NetworkInTime| {
             let best = report.best();
             TimeSummary {
                 name: report.name.clone(),
@@ -118,18 +118,19 @@ impl InTime {
                 largest_share: report.reached(),
             }
         };
-        self.networks.iter().map(of).collect()
+        self.networks.iter().map(summary_of).collect()
     }
 
     /// The best moment of several networks.
     pub(crate) fn together(&self) -> Option<OneMoment> {
-        let of = |network: &NetworkInTime| {
+        let curve_of = |network: &NetworkInTime| {
             let points = network.report.points.iter();
             points.map(|p| [p.seconds, p.jaccard]).collect()
         };
         let networks = self.networks.iter();
-        let curves: Vec<(&str, Vec<[f64; 2]>)> =
-            networks.map(|n| (n.report.name.as_str(), of(n))).collect();
+        let curves: Vec<(&str, Vec<[f64; 2]>)> = networks
+            .map(|n| (n.report.name.as_str(), curve_of(n)))
+            .collect();
         let first = &self.networks.first()?.report;
         let moments = first.points.iter().zip(&first.sent_mj);
         let sent: Vec<[f64; 2]> = moments.map(|(p, mj)| [p.seconds, *mj]).collect();

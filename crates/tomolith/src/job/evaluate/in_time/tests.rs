@@ -84,12 +84,12 @@ fn a_print_that_ends_too_soon_says_how_far_it_came() {
         let job = job(&[turns, "stop.iterations=4"]).unwrap();
         let job = job.with_folder(&folder.path().join("run"), "--output");
         let summary = crate::job::run(&job, false, &mut Silent, &Work::new()).unwrap();
-        let own = &summary.in_time[0];
-        let share = own.largest_share.unwrap();
-        assert!(own.ideal_exposure_s.is_none());
+        let network = &summary.in_time[0];
+        let share = network.largest_share.unwrap();
+        assert!(network.ideal_exposure_s.is_none());
         let percent = crate::report::number::significant(100.0 * share, 3);
-        let said = format!("{who} {percent} % of what the part needs");
-        assert!(own.to_string().contains(&said), "{own}");
+        let expected = format!("{who} {percent} % of what the part needs");
+        assert!(network.to_string().contains(&expected), "{network}");
         share
     };
     // Half of the light leaves half of the dose
@@ -147,7 +147,7 @@ fn a_dose_that_diffuses_is_that_of_every_model_spread() {
         "species=[{ name = \"a\", driven_by = { light = 0.7 } }]",
     ] {
         let (sharp, blurred) = (task(change, "0"), task(change, "5e-4"));
-        let of = |task: &crate::job::Task| {
+        let sums_of = |task: &crate::job::Task| {
             let mut dose = task.model.new_dose().unwrap();
             task.model
                 .dose(&sharp.start, &mut dose, &Work::new())
@@ -156,7 +156,7 @@ fn a_dose_that_diffuses_is_that_of_every_model_spread() {
             (sum, dose.dot(&dose))
         };
         // What diffuses stays in the box; 40 s at 5e-4 mm²/s spread it by 0.14 mm
-        let ((all, squares), (spread, lower)) = (of(&sharp), of(&blurred));
+        let ((all, squares), (spread, lower)) = (sums_of(&sharp), sums_of(&blurred));
         tomolith_core::near!(spread / all, 1.0, 1e-4, "{change}: {all}");
         assert!(lower < 0.995 * squares, "{change}: {squares} {lower}");
         let model = blurred.model.describe();
@@ -187,7 +187,7 @@ fn a_job_whose_dose_diffuses_runs_to_its_report() {
 
 #[test]
 fn turns_with_patterns_of_their_own_are_optimized_and_printed() {
-    let own = [
+    let changes = [
         "schedule.optimize=\"exact\"",
         "schedule.turns=2",
         "schedule.power={ energy_per_turn_mj_per_mm2 = 1.0 }",
@@ -199,9 +199,9 @@ fn turns_with_patterns_of_their_own_are_optimized_and_printed() {
         let rows: Vec<f64> = text.lines().skip(1).map(row).collect();
         (rows[0], rows[rows.len() - 1])
     };
-    let (_, folder) = report(&own);
+    let (_, folder) = report(&changes);
     let (start, repeated) = loss(&folder);
-    let (time, folder) = report(&[&own[..], &["schedule.own_patterns=true"]].concat());
+    let (time, folder) = report(&[&changes[..], &["schedule.own_patterns=true"]].concat());
     let (same, apart) = loss(&folder);
     assert!((same / start - 1.0).abs() < 0.01, "{same} {start}");
     assert!(apart < 1.01 * repeated, "{apart} {repeated}");
@@ -222,10 +222,10 @@ fn heights_are_done_together_where_rows_are_rescaled() {
                 let (y, x) = (i / nx % ny, i % nx);
                 y.abs_diff(ny / 2) < 3 && x.abs_diff(nx / 2) < 3
             };
-            let own = (slices.start * ny * nx..slices.end * ny * nx).filter(near);
-            let mut own: Vec<f32> = own.map(|i| times[i]).collect();
-            own.sort_by(f32::total_cmp);
-            own[own.len() / 2]
+            let voxels = (slices.start * ny * nx..slices.end * ny * nx).filter(near);
+            let mut seconds: Vec<f32> = voxels.map(|i| times[i]).collect();
+            seconds.sort_by(f32::total_cmp);
+            seconds[seconds.len() / 2]
         };
         median(nz / 2 + 2..nz / 2 + 5) / median(nz / 2 - 5..nz / 2 - 2)
     };
@@ -271,14 +271,14 @@ fn bodies_and_inserts_are_walls() {
     material.step(&mut state, &[&light], 1.0).unwrap();
     let oxygen = |state: &tomolith_material::State| {
         let content = layout.volume_of(state.volumes[0].as_slice()).values;
-        let of = |resin: bool| {
-            let own = content
+        let sum_of = |resin: bool| {
+            let voxels = content
                 .iter()
                 .zip(&held.values)
                 .filter(|(_, r)| **r == resin);
-            own.map(|(v, _)| f64::from(*v)).sum::<f64>()
+            voxels.map(|(v, _)| f64::from(*v)).sum::<f64>()
         };
-        (of(true), of(false), content)
+        (sum_of(true), sum_of(false), content)
     };
     let (before, inside, then) = oxygen(&state);
     for _ in 0..20 {
@@ -376,7 +376,7 @@ fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
 
 #[test]
 fn an_exposure_that_never_comes_says_what_would_help() {
-    let said = |induction_end_s: Option<f64>, share: f64| {
+    let text_of = |induction_end_s: Option<f64>, share: f64| {
         let summary = TimeSummary {
             name: "resin".to_owned(),
             induction_end_s,
@@ -388,12 +388,12 @@ fn an_exposure_that_never_comes_says_what_would_help() {
         };
         summary.to_string()
     };
-    let nothing = said(None, 1.18);
+    let nothing = text_of(None, 1.18);
     assert!(nothing.contains("ideal exposure never (the part absorbs 118 % of what"));
     assert!(nothing.ends_with("too unevenly or too slowly for any of it to become solid)"));
     for (text, who) in [
-        (said(None, 0.4), "(the part absorbs 40 %"),
-        (said(Some(9.0), 0.4), "(solid voxels absorb 40 %"),
+        (text_of(None, 0.4), "(the part absorbs 40 %"),
+        (text_of(Some(9.0), 0.4), "(solid voxels absorb 40 %"),
     ] {
         assert!(text.contains(who), "{text}");
         assert!(text.ends_with("more turns, or more power)"), "{text}");

@@ -105,13 +105,13 @@ impl Watched {
             slices,
             ..
         } = self;
-        let own = material.readout(curves.species());
-        readout.scale(own.scale);
+        let of_material = material.readout(curves.species());
+        readout.scale(of_material.scale);
         let mut snapshots = curves.snapshots().to_vec();
         let evaluation = match curves.phases().curing_end_s {
             Some(seconds) if best > 0.0 => {
                 let degree = material.domain().layout().volume_of(readout.as_slice());
-                let gel = f64::from(own.gel);
+                let gel = f64::from(of_material.gel);
                 let evaluation = measure_at(job, voxels, &degree, gel, patterns)?;
                 with_moment(&mut snapshots, seconds, degree);
                 Some(evaluation)

@@ -44,7 +44,7 @@ pub(crate) fn coarsest_pixels(kinds: &[&str], lights: &[Acting<'_>]) -> (String,
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Arcs {
     /// "2°", or "3° (violet) and 2° (uv)".
-    pub(crate) said: String,
+    pub(crate) text: String,
     /// The key of the widest.
     pub(crate) key: String,
 }
@@ -55,13 +55,13 @@ impl Arcs {
         let arc = |acting: &Acting<'_>| acting.light.pixels.frame_arc.to_degrees();
         let turning = || lights.iter().filter(|acting| arc(acting) > 0.0);
         let widest = turning().rev().max_by(|a, b| arc(a).total_cmp(&arc(b)))?;
-        let said = |acting: &Acting<'_>| {
+        let text_of = |acting: &Acting<'_>| {
             let degrees = significant(arc(acting), 3);
             let name = acting.name.map(|name| format!(" ({name})"));
             format!("{degrees}°{}", name.unwrap_or_default())
         };
         Some(Arcs {
-            said: turning().map(said).collect::<Vec<_>>().join(" and "),
+            text: turning().map(text_of).collect::<Vec<_>>().join(" and "),
             key: match widest.name {
                 Some(_) => format!("light[{}].angles", widest.index),
                 None => "light.angles".to_owned(),
@@ -109,9 +109,9 @@ impl Ends {
 
     /// Share of a prism's volume that lies between its ends and the rows'.
     pub(crate) fn share(&self) -> f64 {
-        let beside: f64 = (0..2)
+        let between: f64 = (0..2)
             .map(|i| (self.part_mm[i] - self.rows_mm[i]).abs())
             .sum();
-        beside / (self.part_mm[1] - self.part_mm[0])
+        between / (self.part_mm[1] - self.part_mm[0])
     }
 }

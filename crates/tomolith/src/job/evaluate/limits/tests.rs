@@ -20,7 +20,7 @@ fn measurements() -> Measurements {
         bits: 8,
         has_machine: false,
         arcs: Some(Arcs {
-            said: "2°".to_owned(),
+            text: "2°".to_owned(),
             key: "light.angles".to_owned(),
         }),
         saw_finer: false,
@@ -118,9 +118,9 @@ fn the_largest_loss_comes_first_and_names_the_key() {
         is_toy: true,
         ..measurements()
     };
-    let said = toy.limits().sentence;
+    let sentence = toy.limits().sentence;
     ends(
-        &said,
+        &sentence,
         "rotation −0.001. This is a toy of the job: run without `--toy` before you change it.",
     );
     // Nothing to gain, nothing to change
@@ -138,7 +138,7 @@ fn the_largest_loss_comes_first_and_names_the_key() {
 
 #[test]
 fn a_part_beyond_the_light_needs_a_larger_field() {
-    let said = |optimized: f64, share: f64, key: &str| {
+    let limits_of = |optimized: f64, share: f64, key: &str| {
         let lack = Lack {
             share,
             key: key.to_owned(),
@@ -152,7 +152,7 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         };
         measured.limits()
     };
-    let limits = said(0.8, 0.24, "light.pixels");
+    let limits = limits_of(0.8, 0.24, "light.pixels");
     ends(&limits.sentence, "To improve, raise `light.pixels`.");
     let advice = &limits.causes[0].advice;
     ends(
@@ -160,16 +160,16 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         "Light does not reach 24 % of the part from all sides: raise `light.pixels`.",
     );
     // Half of all sides are enough for a good print
-    let good = said(0.985, 1.0, "light.offset_mm").sentence;
+    let good = limits_of(0.985, 1.0, "light.offset_mm").sentence;
     ends(&good, "pixel_pitch_mm`.");
     // A rim of the part is not what lacks most
-    let rim = said(0.8, 0.02, "light.pixels").sentence;
+    let rim = limits_of(0.8, 0.02, "light.pixels").sentence;
     ends(&rim, "pixel_pitch_mm`.");
 }
 
 #[test]
 fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() {
-    let said = |optimized: f64| {
+    let sentence_of = |optimized: f64| {
         let lack = Lack {
             share: 0.3,
             key: "light[0].pixels".to_owned(),
@@ -183,9 +183,9 @@ fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() 
         };
         measured.limits().sentence
     };
-    ends(&said(0.91), "To improve, raise `light[0].pixels`.");
+    ends(&sentence_of(0.91), "To improve, raise `light[0].pixels`.");
     // Where the light lacks nothing, the grid does
-    ends(&said(0.9995), "To improve, lower `grid.pitch_mm`.");
+    ends(&sentence_of(0.9995), "To improve, lower `grid.pitch_mm`.");
 }
 
 #[test]
@@ -205,7 +205,7 @@ fn turning_that_the_optimization_did_not_see_is_not_counted_twice() {
 
 #[test]
 fn voxels_are_called_coarser_only_where_they_are() {
-    let said = |pitches_mm| {
+    let sentence_of = |pitches_mm| {
         let measured = Measurements {
             saw_finer: true,
             pitches_mm,
@@ -213,8 +213,8 @@ fn voxels_are_called_coarser_only_where_they_are() {
         };
         measured.limits().sentence
     };
-    assert!(said([0.056, 0.014]).contains("(on the job's own, coarser voxels 1.000)"));
-    assert!(said([0.056, 0.056]).contains("(before the patterns are written 1.000)"));
+    assert!(sentence_of([0.056, 0.014]).contains("(on the job's own, coarser voxels 1.000)"));
+    assert!(sentence_of([0.056, 0.056]).contains("(before the patterns are written 1.000)"));
 }
 
 #[test]
@@ -249,16 +249,16 @@ fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
     assert_eq!(Falling::of(StopReason::Iterations, &history(99.5)), None);
     assert_eq!(Falling::of(StopReason::Steady, &history(80.0)), None);
     assert_eq!(Falling::of(StopReason::Iterations, &[]), None);
-    let said = |end| Fall::of(&history(end)).map(|fall| fall.to_string());
+    let text_of = |end| Fall::of(&history(end)).map(|fall| fall.to_string());
     assert_eq!(
-        said(80.0).as_deref(),
+        text_of(80.0).as_deref(),
         Some("not converged: the loss fell by 20 % in the last 10 iterations")
     );
     assert_eq!(
-        said(99.5).as_deref(),
+        text_of(99.5).as_deref(),
         Some("converged: the loss fell by 0.5 % in the last 10 iterations")
     );
-    assert_eq!(said(101.0), None);
+    assert_eq!(text_of(101.0), None);
     assert_eq!(Fall::of(&history(80.0)[..1]), None);
     let limits = Measurements {
         falling: Some(falling),
@@ -297,8 +297,8 @@ fn flat_ends_within_rows_are_what_limits_a_prism() {
     );
     // A print that seems better than that was judged on voxels that end with the rows
     let is_hidden = |turning| {
-        let said = gear(turning).limits().sentence;
-        said.contains("rows of pixels −0.008, which voxels of this size do not show")
+        let sentence = gear(turning).limits().sentence;
+        sentence.contains("rows of pixels −0.008, which voxels of this size do not show")
     };
     assert!(is_hidden(1.0) && !is_hidden(0.985));
     let fits = Ends::of([-1.512, 1.512], &rows, None);
@@ -324,10 +324,10 @@ fn of_several_lights_the_one_that_limits_is_named() {
     };
     let both = [acting(0, Some("violet")), acting(1, Some("uv"))];
     let arcs = Arcs::of(&both).unwrap();
-    assert_eq!(arcs.said, "3° (violet) and 2° (uv)");
+    assert_eq!(arcs.text, "3° (violet) and 2° (uv)");
     assert_eq!(arcs.key, "light[0].angles");
     let one = Arcs::of(&[acting(0, None)]).unwrap();
-    assert_eq!((&one.said[..], &one.key[..]), ("3°", "light.angles"));
+    assert_eq!((&one.text[..], &one.key[..]), ("3°", "light.angles"));
     let rows = &lights[1].pixels;
     let measured = Measurements {
         arcs: Some(arcs),
@@ -337,7 +337,7 @@ fn of_several_lights_the_one_that_limits_is_named() {
         ..measured([0.9, 0.9, 0.88, 0.88])
     };
     let limits = measured.limits();
-    let said: String = limits
+    let joined: String = limits
         .causes
         .iter()
         .map(|l| l.advice.clone() + "\n")
@@ -348,7 +348,7 @@ fn of_several_lights_the_one_that_limits_is_named() {
         "Finer pixels of uv may bring more",
         "inside rows of pixels of uv, but",
     ] {
-        assert!(said.contains(text), "{said}");
+        assert!(joined.contains(text), "{joined}");
     }
     ends(&limits.sentence, "pixel_pitch_mm` (uv).");
 }
@@ -384,8 +384,8 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
         is_simulated: true,
         ..measured([0.5; 4])
     };
-    let said = given.limits().sentence;
-    assert!(!said.contains("To improve"), "{said}");
+    let sentence = given.limits().sentence;
+    assert!(!sentence.contains("To improve"), "{sentence}");
 }
 
 #[test]
@@ -401,7 +401,10 @@ fn with_few_levels_and_a_named_threshold_the_losses_add_up_too() {
     let sum: f64 = losses(&few.limits()).iter().map(|(_, loss)| loss).sum();
     assert!((sum - (1.0 - 0.638)).abs() < 1e-12, "{sum}");
     let light = |limits: &PrintLimits| {
-        let of_light = limits.causes.iter().find(|own| own.cause == Cause::Optics);
+        let of_light = limits
+            .causes
+            .iter()
+            .find(|limit| limit.cause == Cause::Optics);
         of_light.unwrap().advice.clone()
     };
     // What others take leaves nothing to the light, but that is no good print
@@ -423,8 +426,11 @@ fn angles_that_only_the_optimization_counts_are_no_finer_grid() {
         ..measured([0.6, 0.6, 0.4, 0.4])
     };
     let limits = stands.limits();
-    assert!(limits.causes.iter().all(|own| own.cause != Cause::Grid));
-    let turning = limits.causes.iter().find(|own| own.cause == Cause::Turning);
+    assert!(limits.causes.iter().all(|limit| limit.cause != Cause::Grid));
+    let turning = limits
+        .causes
+        .iter()
+        .find(|limit| limit.cause == Cause::Turning);
     let turning = turning.unwrap();
     assert_eq!(
         (turning.key.as_str(), turning.loss),
@@ -458,13 +464,13 @@ fn what_was_not_measured_is_not_said() {
         is_simulated: true,
         ..measurements()
     };
-    let said = patterns.limits().sentence;
+    let sentence = patterns.limits().sentence;
     begins(
-        &said,
+        &sentence,
         "Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): ",
     );
     ends(
-        &said,
+        &sentence,
         "To improve, make the patterns anew: lower `grid.pitch_mm`.",
     );
     // Of frames it is not known what was wanted

@@ -155,12 +155,12 @@ impl Optics {
 
     /// The pieces in resin of the ray from a point of the field, mm, in all frames that differ.
     fn edge_ray(&self, light: usize, point: [f64; 2]) -> Vec<Piece> {
-        let (own, path) = (&self.lights[light], &self.paths[light]);
+        let (light, path) = (&self.lights[light], &self.paths[light]);
         let tracer = SpaceTracer::new(
             self.vial.as_ref(),
-            own.resin,
-            own.surrounding_index,
-            own.polarization,
+            light.resin,
+            light.surrounding_index,
+            light.polarization,
             TraceLimits::default(),
         );
         let frames = match self.vial.is_round() && path.motion.is_symmetric() {
@@ -230,15 +230,15 @@ impl Optics {
     }
 
     /// What brings a light to heights that lie so far, mm, below and above those that it reaches; less than 0: it reaches farther.
-    pub(crate) fn remedy(&self, light: usize, short_mm: [f64; 2]) -> Remedy {
-        let own = &self.lights[light];
-        let [low, high] = field_mm(own);
+    pub(crate) fn remedy(&self, i: usize, short_mm: [f64; 2]) -> Remedy {
+        let light = &self.lights[i];
+        let [low, high] = field_mm(light);
         // Seen by the projector, a height is as much smaller as the axis leans
         let seen = |mm: f64| (mm * self.tilt_rad().cos()).max(low[1] - high[1]);
         let [below, above] = short_mm.map(seen);
-        let key = format!("light[{light}]");
-        let [u, v] = own.pixels.offset_mm;
-        if is_cut_along_axis(own) {
+        let key = format!("light[{i}]");
+        let [u, v] = light.pixels.offset_mm;
+        if is_cut_along_axis(light) {
             return Remedy {
                 key: "selection",
                 verb: "change",
@@ -247,7 +247,7 @@ impl Optics {
                 ),
             };
         }
-        let pitch = own.pixels.pitch_mm[1];
+        let pitch = light.pixels.pitch_mm[1];
         let more = ((below + above).max(0.0) / pitch).ceil();
         let room = (more * pitch - below - above) / 2.0;
         let shift = (above - below) / 2.0;
@@ -256,7 +256,7 @@ impl Optics {
             concise(u),
             rounded(v + shift, room)
         );
-        let rows = own.pixels.rows as f64 + more;
+        let rows = light.pixels.rows as f64 + more;
         match (more > 0.0, shift.abs() <= room) {
             (true, true) => Remedy {
                 key: "pixels",
@@ -418,9 +418,9 @@ mod tests {
             (found.remedy.key, found.remedy.verb),
             ("offset_mm", "change")
         );
-        let told = found.warning();
-        assert!(told.contains("light[0].offset_mm = [0, -1"), "{told}");
-        let moved = told
+        let warning = found.warning();
+        assert!(warning.contains("light[0].offset_mm = [0, -1"), "{warning}");
+        let moved = warning
             .rsplit_once("use light[0].")
             .unwrap()
             .1
@@ -431,10 +431,10 @@ mod tests {
         let few = ["motion.tilt_deg=20", "light.pixels=[128, 24]"];
         let found = missed(&few).unwrap();
         assert_eq!((found.remedy.key, found.remedy.verb), ("pixels", "raise"));
-        let told = found.warning();
-        let words: Vec<&str> = told.split(' ').collect();
+        let warning = found.warning();
+        let words: Vec<&str> = warning.split(' ').collect();
         let rows = words[words.iter().position(|word| *word == "rows").unwrap() - 1];
-        let offset = told.rsplit_once("offset_mm = ").unwrap().1;
+        let offset = warning.rsplit_once("offset_mm = ").unwrap().1;
         let pixels = format!("light.pixels=[128, {rows}]");
         let offset = format!("light.offset_mm={offset}");
         assert_eq!(missed(&["motion.tilt_deg=20", &pixels, &offset]), None);

@@ -118,14 +118,14 @@ pub(crate) fn is_cut_sideways(light: &Light) -> bool {
         offset_mm: [0.0; 2],
         ..light.pixels.clone()
     };
-    let of = |[low, high]: [[f64; 2]; 2]| [low[0], high[0]];
-    of(field_mm(light)) != of(whole.field_mm())
+    let sideways = |[low, high]: [[f64; 2]; 2]| [low[0], high[0]];
+    sideways(field_mm(light)) != sideways(whole.field_mm())
 }
 
 /// Whether some rows of a light may not be lit.
 pub(crate) fn is_cut_along_axis(light: &Light) -> bool {
-    let of = |[low, high]: [[f64; 2]; 2]| [low[1], high[1]];
-    of(field_mm(light)) != of(light.pixels.field_mm())
+    let along_axis = |[low, high]: [[f64; 2]; 2]| [low[1], high[1]];
+    along_axis(field_mm(light)) != along_axis(light.pixels.field_mm())
 }
 
 impl ResolvedJob {
