@@ -16,7 +16,7 @@ pub enum Cause {
     Optics,
     /// The optimization ended while its loss was still falling.
     Iterations,
-    /// The part's flat ends lie within rows of pixels.
+    /// Horizontal faces of the part lie within rows of pixels.
     Ends,
     /// The exposure of `evaluate.threshold` is not the best one.
     Exposure,

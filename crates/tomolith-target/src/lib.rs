@@ -26,6 +26,7 @@
 pub mod bodies;
 pub mod clip;
 pub mod diagnosis;
+mod horizontal_faces;
 mod image;
 mod lines;
 mod mesh_unit;
@@ -38,6 +39,7 @@ mod voxels;
 
 pub use bodies::{Assembly, BodySpec, Role};
 pub use diagnosis::{Diagnosis, Repair};
+pub use horizontal_faces::HorizontalFaces;
 pub use image::GrayImage;
 pub use mesh_unit::MeshUnit;
 pub use phantom::PHANTOMS;

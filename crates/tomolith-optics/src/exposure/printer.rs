@@ -65,6 +65,8 @@ use tomolith_core::units::{Mm, Pitch, exact};
 const DIMMEST: f64 = 0.1;
 /// Most copies on a device.
 const MOST_COPIES: usize = 64;
+/// Most pixels of the light that a pixel of the device may be wide. Then nothing of the patterns is left, and the number had another unit.
+const WIDEST: f64 = 10.0;
 
 /// Sense in which the vial turns, seen from above.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -242,7 +244,9 @@ impl Printer {
         rotation: Rotation,
     ) -> Result<Self> {
         spec.ranges()?;
+        must_resolve(spec, pattern)?;
         let mut notes = Vec::new();
+        notes.extend(taken_pitch(spec, pattern));
         let phase = spec.eccentricity_deg.to_radians();
         let shift = |azimuth: &f64| {
             spec.axis_offset_mm.0 + spec.eccentricity_mm.0 * (phase - azimuth).sin()
@@ -473,6 +477,40 @@ pub(super) fn device_pitch(spec: &PrinterSpec, pattern: &PatternGrid) -> [f64; 2
         [z, u]
     };
     spec.pixel_pitch_mm.map_or(turned, |pitch| pitch.0)
+}
+
+/// Refuses device pixels that are much larger than those of the patterns.
+fn must_resolve(spec: &PrinterSpec, pattern: &PatternGrid) -> Result<()> {
+    let [device, light] =
+        [device_pitch(spec, pattern), pattern.pitch_mm].map(|pitch| pitch[0].max(pitch[1]));
+    if device <= WIDEST * light {
+        return Ok(());
+    }
+    Err(Error::config(
+        "printer.pixel_pitch_mm",
+        format!(
+            "{} mm, {:.0} times the width of the light's pixels",
+            exact(device),
+            device / light
+        ),
+        format!(
+            "the size of a device pixel at the vial in mm, at most {WIDEST} times that of the light's pixels ({} mm)",
+            exact(light)
+        ),
+    ))
+}
+
+/// Says how large the pixels of a device are taken to be, where its table does not say it.
+fn taken_pitch(spec: &PrinterSpec, pattern: &PatternGrid) -> Option<String> {
+    let is_left_out = spec.canvas.is_some() && spec.pixel_pitch_mm.is_none();
+    is_left_out.then(|| {
+        let [right, up] = device_pitch(spec, pattern).map(exact);
+        let size = if right == up { right } else { format!("{right} × {up}") };
+        format!(
+            "printer.pixel_pitch_mm is left out, so a pixel of the device is taken to be as large at the vial as one of the light, {size} mm: if it is not, the part \
+             prints larger or smaller by as much"
+        )
+    })
 }
 
 /// Where each copy lies; refuses a canvas that cannot hold them.

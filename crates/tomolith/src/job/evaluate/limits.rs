@@ -10,13 +10,16 @@ use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
+use crate::target::HorizontalFaces;
 use crate::units::counted;
-use acting::{Arcs, Ends, acting_on, coarsest_pixels};
+use acting::{Acting, Arcs, acting_on, coarsest_pixels};
 use lack::Lack;
+use row_ends::RowEnds;
 
 pub(crate) mod acting;
 pub(crate) mod falling;
 pub(crate) mod lack;
+pub(crate) mod row_ends;
 pub(crate) mod time;
 
 pub use falling::Fall;
@@ -133,11 +136,20 @@ impl Asked<'_> {
                 .is_some_and(|optimized| of_background(resolved, &optimized.raw).is_some()),
             best: at_best(evaluated),
             stands: resolved.evaluated_angles() == 1 && resolved.optimizes_turning(),
-            ends: shape
-                .upright_mm()
-                .filter(|_| !shape.is_gray() && optics.scene().beyond_slices().is_none())
-                .and_then(|z| Ends::worst(z, &lights)),
+            ends: self.row_ends(s, print, &lights),
             falling: self.falling(s),
+        }
+    }
+
+    /// Horizontal faces inside rows of pixels, in level light.
+    fn row_ends(&self, s: usize, print: &SpeciesPrint, lights: &[Acting<'_>]) -> Option<RowEnds> {
+        let shape = self.resolved.species[s].shape.as_ref();
+        if shape.is_gray() || self.resolved.optics.scene().beyond_slices().is_some() {
+            return None;
+        }
+        match shape.upright_mm() {
+            Some(part_mm) => RowEnds::of_prism(part_mm, lights),
+            None => RowEnds::of(&HorizontalFaces::of(&print.fine.target.inside), lights),
         }
     }
 
@@ -201,8 +213,8 @@ struct Measurements {
     best: Measure,
     /// Whether the evaluation looks at one angle of each frame, and the optimization at several.
     stands: bool,
-    /// Of an upright prism in level light, where its ends are.
-    ends: Option<Ends>,
+    /// Horizontal faces inside rows of pixels, in level light.
+    ends: Option<RowEnds>,
     falling: Option<Falling>,
 }
 
@@ -381,22 +393,49 @@ impl Measurements {
             .then(|| self.limit(Cause::Exposure, loss, key, found, "Leave out, or change,"))
     }
 
-    /// What flat ends within rows of pixels cost: light ends with a row, so a prism becomes higher or lower than it should.
+    /// What horizontal faces inside rows of pixels cost: light ends with a row, so the part becomes higher or lower there than it should.
     fn row_ends(&self) -> Option<Limit> {
         let ends = self.ends.as_ref();
         let ends = ends.filter(|_| self.kind.better != Better::Lower)?;
-        let loss = ends.share();
-        let [[low, high], [below, above]] =
-            [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
-        let light = ends.light.as_ref();
-        let of_light = light.map_or_else(String::new, |name| format!(" of {name}"));
+        let loss = ends.share;
+        if loss < WORTH_CHANGING {
+            return None;
+        }
+        let of_light = ends.light.1.as_ref();
+        let of_light = of_light.map_or_else(String::new, |name| format!(" of {name}"));
+        let faces = match ends.ends {
+            Some(heights) => {
+                let [[low, high], [below, above]] = heights.map(|z| z.map(|mm| significant(mm, 4)));
+                format!(
+                    "The part ends at z = {low} and {high} mm, inside rows of pixels{of_light}, but light ends with a row, at {below} and {above} mm."
+                )
+            }
+            None => format!(
+                "Horizontal faces of the part lie inside rows of pixels{of_light}, but light ends with a row."
+            ),
+        };
+        let percent = |share: f64| significant(100.0 * share, 1);
         let found = format!(
-            "The part ends at z = {low} and {high} mm, inside rows of pixels{of_light}, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
-            significant(100.0 * loss, 1)
+            "{faces} {} % of the part's volume lies between",
+            percent(loss)
         );
+        if let Some(up) = self.light_up() {
+            let found = format!(
+                "{found}, {} % with the light where it fits best.",
+                percent(ends.best_move.1)
+            );
+            let action = format!("Move the light {up} with");
+            return Some(self.limit(Cause::Ends, loss, &ends.move_key(), found, &action));
+        }
         let action = "Change the part's height or place, or lower";
-        (loss >= WORTH_CHANGING)
-            .then(|| self.limit(Cause::Ends, loss, &self.pixel_key, found, action))
+        Some(self.limit(Cause::Ends, loss, &self.pixel_key, found + ".", action))
+    }
+
+    /// By how much the light should move along z, where that makes up for what faces inside rows cost.
+    fn light_up(&self) -> Option<String> {
+        let mm = self.ends.as_ref()?.worthy_move()?;
+        let way = if mm > 0.0 { "up" } else { "down" };
+        Some(format!("{way} by {} mm", significant(mm.abs(), 2)))
     }
 
     /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
@@ -526,7 +565,7 @@ impl Measurements {
                     format!("{}{}", counted(self.bits as usize, "bit"), self.machine())
                 }
                 Cause::Turning => "rotation".to_owned(),
-                Cause::Ends => "ends within rows of pixels".to_owned(),
+                Cause::Ends => "faces within rows of pixels".to_owned(),
                 Cause::Exposure => "exposure".to_owned(),
                 // What the optimizer saw says it
                 Cause::Optics | Cause::Iterations | Cause::Time => return None,
@@ -563,8 +602,12 @@ impl Measurements {
                 return " This is a toy of the job: run without `--toy` before you change it."
                     .to_owned();
             }
+            let moving = self
+                .light_up()
+                .map(|up| format!("move the light {up} with"));
             let verb = match limit.cause {
                 Cause::Grid => "lower",
+                Cause::Ends if moving.is_some() => moving.as_deref().unwrap_or_default(),
                 Cause::Ends => "place the part's ends between rows of pixels, or lower",
                 Cause::Exposure => "change",
                 Cause::Levels if limit.key == "printer" => {

@@ -1,6 +1,5 @@
 //! The lights that act on a species, and what of them may limit its print.
 
-use crate::grid::PatternGrid;
 use crate::job::resolve::ResolvedJob;
 use crate::optics::light::Light;
 use crate::report::number::significant;
@@ -67,51 +66,5 @@ impl Arcs {
                 None => "light.angles".to_owned(),
             },
         })
-    }
-}
-
-/// Flat ends of a part, and the nearest edges of rows of pixels.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Ends {
-    pub(crate) part_mm: [f64; 2],
-    pub(crate) rows_mm: [f64; 2],
-    /// Whose rows, where there are several lights.
-    pub(crate) light: Option<String>,
-}
-
-impl Ends {
-    pub(crate) fn of(part_mm: [f64; 2], pixels: &PatternGrid, light: Option<&str>) -> Self {
-        let top = pixels.field_mm()[1][1];
-        let pitch = pixels.pitch_mm[1];
-        // In the middle of a row light goes on to its end: beyond the part
-        let outward = [1e-6, -1e-6];
-        let nearest = |i: usize| top - ((top - part_mm[i]) / pitch + outward[i]).round() * pitch;
-        Ends {
-            part_mm,
-            rows_mm: [nearest(0), nearest(1)],
-            light: light.map(str::to_owned),
-        }
-    }
-
-    /// Those of the light whose rows end farthest from the part's ends.
-    pub(crate) fn worst(part_mm: [f64; 2], lights: &[Acting<'_>]) -> Option<Self> {
-        let ends = lights
-            .iter()
-            .map(|acting| Ends::of(part_mm, &acting.light.pixels, acting.name));
-        ends.reduce(|worst, ends| {
-            if ends.share() > worst.share() {
-                ends
-            } else {
-                worst
-            }
-        })
-    }
-
-    /// Share of a prism's volume that lies between its ends and the rows'.
-    pub(crate) fn share(&self) -> f64 {
-        let between: f64 = (0..2)
-            .map(|i| (self.part_mm[i] - self.rows_mm[i]).abs())
-            .sum();
-        between / (self.part_mm[1] - self.part_mm[0])
     }
 }

@@ -5,6 +5,7 @@ use crate::grid::PatternGrid;
 use crate::job::evaluate::limits::*;
 use crate::metrics::{gray, iou};
 use crate::optics::light::Light;
+use crate::optics::resin::Resin;
 use crate::optimize::{Row, StopReason};
 
 /// The numbers of the first example.
@@ -273,16 +274,22 @@ fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
     assert!(limits.causes.iter().all(|l| l.cause != Cause::Optics));
 }
 
+fn acting<'a>(index: usize, name: Option<&'a str>, light: &'a Light) -> Acting<'a> {
+    Acting { index, name, light }
+}
+
 #[test]
 fn flat_ends_within_rows_are_what_limits_a_prism() {
     // Rows of 56 µm with an edge at 0: a gear 3 mm high reaches 26.786 of them to each side
     let rows = PatternGrid::full_turn(180, 0.0, 64, 176, 0.056);
-    let ends = Ends::of([-1.5, 1.5], &rows, None);
-    assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
+    let light = Light::new(rows, Resin::absorbing(1.5, 0.1));
+    let ends_of = |part_mm| RowEnds::of_prism(part_mm, &[acting(0, None, &light)]);
+    let ends = ends_of([-1.5, 1.5]).unwrap();
+    assert!((ends.share - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
     let gear = |turning| Measurements {
         own_turning: None,
         saw_finer: true,
-        ends: Some(Ends::of([-1.5, 1.5], &rows, None)),
+        ends: Some(ends.clone()),
         ..measured([0.995, 0.995, 0.995, turning])
     };
     let limits = gear(0.985).limits();
@@ -301,39 +308,73 @@ fn flat_ends_within_rows_are_what_limits_a_prism() {
         sentence.contains("rows of pixels −0.008, which voxels of this size do not show")
     };
     assert!(is_hidden(1.0) && !is_hidden(0.985));
-    let fits = Ends::of([-1.512, 1.512], &rows, None);
     let gear = Measurements {
-        ends: Some(fits),
+        ends: ends_of([-1.512, 1.512]),
         ..gear(0.985)
     };
     assert!(gear.limits().causes.iter().all(|l| l.cause != Cause::Ends));
 }
 
 #[test]
+fn horizontal_faces_inside_rows_are_what_limits_a_part_and_slanted_ones_are_not() {
+    // Rows of 0.1 mm from z = −0.5 to 0.5; a plate on a cone, whose flat faces lie 0.03 mm below an edge
+    let rows = PatternGrid::full_turn(90, 0.0, 10, 10, 0.1);
+    let light = Light::new(rows, Resin::absorbing(1.5, 0.1));
+    let cone = (0..320).map(|i| (-0.4 + 0.0025 * (f64::from(i) + 0.5), 0.0125));
+    let faces = |z: f64, area: f64| HorizontalFaces {
+        volume_mm3: 2.0,
+        areas: cone.clone().chain([(z, area), (z + 0.2, area)]).collect(),
+    };
+    let ends = RowEnds::of(&faces(0.17, 3.0), &[acting(0, None, &light)]).unwrap();
+    assert!(
+        (ends.share - 2.0 * 3.0 * 0.03 / 2.0).abs() < 0.01,
+        "{ends:?}"
+    );
+    let moved = ends.worthy_move().unwrap();
+    assert!(
+        (moved + 0.03).abs() < 0.1 / 64.0 && ends.best_move.1 < 0.01,
+        "{ends:?}"
+    );
+    let cone = RowEnds::of(&faces(0.17, 0.0), &[acting(0, None, &light)]).unwrap();
+    assert!(cone.share < 1e-3, "{cone:?}");
+    let limits = Measurements {
+        saw_finer: true,
+        own_turning: None,
+        ends: Some(ends),
+        ..measured([0.995, 0.995, 0.995, 0.9])
+    };
+    ends_with_move(&limits.limits());
+}
+
+fn ends_with_move(limits: &PrintLimits) {
+    begins(
+        &limits.causes[0].advice,
+        "Horizontal faces of the part lie inside rows of pixels, but light ends with a row. 9 % of the part's volume lies between, ",
+    );
+    ends(
+        &limits.sentence,
+        "move the light down by 0.03 mm with `light.offset_mm`.",
+    );
+}
+
+#[test]
 fn of_several_lights_the_one_that_limits_is_named() {
-    use crate::optics::resin::Resin;
     let light = |frames, pitch| {
         let pixels = PatternGrid::full_turn(frames, 0.0, 4, 8, pitch);
         Light::new(pixels, Resin::absorbing(1.5, 0.1))
     };
     let lights = [light(120, 0.05), light(180, 0.1)];
-    let acting = |index: usize, name| Acting {
-        index,
-        name,
-        light: &lights[index],
-    };
-    let both = [acting(0, Some("violet")), acting(1, Some("uv"))];
+    let both = [("violet", 0), ("uv", 1)].map(|(name, i)| acting(i, Some(name), &lights[i]));
     let arcs = Arcs::of(&both).unwrap();
     assert_eq!(arcs.text, "3° (violet) and 2° (uv)");
     assert_eq!(arcs.key, "light[0].angles");
-    let one = Arcs::of(&[acting(0, None)]).unwrap();
+    let one = Arcs::of(&[acting(0, None, &lights[0])]).unwrap();
     assert_eq!((&one.text[..], &one.key[..]), ("3°", "light.angles"));
-    let rows = &lights[1].pixels;
     let measured = Measurements {
         arcs: Some(arcs),
         pixel_key: "light[1].projector.collimated.pixel_pitch_mm".to_owned(),
         pixel_light: Some("uv".to_owned()),
-        ends: Some(Ends::of([-0.15, 0.2], rows, Some("uv"))),
+        ends: RowEnds::of_prism([-0.15, 0.2], &both[1..]),
         ..measured([0.9, 0.9, 0.88, 0.88])
     };
     let limits = measured.limits();

@@ -1,0 +1,162 @@
+//! What horizontal faces cost that lie inside rows of pixels.
+//!
+//! **Model** Level light ends with a row of pixels, so a horizontal face of area A prints at the nearest edge of a row, d from where it should be: A·d of the part's volume V
+//! is missing or too much, a share of Σ A·d/V. Slanted surfaces lie at every height alike; what they lose is due to the size of pixels, and is left out: of the four quarters of a
+//! row, each counts for the area that it has above that of the one with the least. Light that is moved along z moves these edges, so moves within half a row are tried.
+
+use super::acting::Acting;
+use crate::grid::PatternGrid;
+use crate::target::HorizontalFaces;
+
+/// Parts of a row in which areas are compared. More would be empty where the part's voxels are whole and a quarter of a pixel.
+const QUARTERS: usize = 4;
+/// Steps of a row in which moves are tried.
+const STEPS: i32 = 64;
+
+/// Horizontal faces of a part inside rows of pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RowEnds {
+    /// Share of the part's volume between faces and the nearest edges of rows.
+    pub(crate) share: f64,
+    /// The move of the light along z with which the least would lie between, mm, and how much.
+    pub(crate) best_move: (f64, f64),
+    /// Of a prism: its ends, mm, and the nearest edges of rows.
+    pub(crate) ends: Option<[[f64; 2]; 2]>,
+    /// Whose rows: the light's place, and its name where there are several.
+    pub(crate) light: (usize, Option<String>),
+}
+
+impl RowEnds {
+    /// Those of a prism between two heights, mm.
+    pub(crate) fn of_prism(part_mm: [f64; 2], lights: &[Acting<'_>]) -> Option<Self> {
+        let faces = HorizontalFaces {
+            volume_mm3: part_mm[1] - part_mm[0],
+            areas: part_mm.map(|z| (z, 1.0)).to_vec(),
+        };
+        let mut worst = Self::of(&faces, lights)?;
+        let rows = Rows::of(
+            &lights
+                .iter()
+                .find(|own| own.index == worst.light.0)?
+                .light
+                .pixels,
+        );
+        // In the middle of a row light goes on to its end: beyond the part
+        let outward = [1e-6, -1e-6];
+        let nearest = |i: usize| rows.edge((rows.above(part_mm[i]) + outward[i]).round());
+        worst.ends = Some([part_mm, [nearest(0), nearest(1)]]);
+        Some(worst)
+    }
+
+    /// Those of the light between whose rows most of the part lies.
+    pub(crate) fn of(faces: &HorizontalFaces, lights: &[Acting<'_>]) -> Option<Self> {
+        let of_light = |acting: &Acting<'_>| {
+            let rows = Rows::of(&acting.light.pixels);
+            let areas = rows.flat(faces);
+            let share = |moved| rows.moved(moved).between(&areas) / faces.volume_mm3;
+            let moves = (-STEPS / 2..=STEPS / 2).map(|i| f64::from(i) / f64::from(STEPS));
+            let moves = moves.map(|rows_up| rows_up * rows.pitch);
+            let moves = moves.filter(|&moved| moved == 0.0 || rows.moved(moved).hold(faces));
+            let tried = moves.map(|moved| (moved, share(moved)));
+            // Of moves that are as good, the shortest
+            let order = |a: &(f64, f64), b: &(f64, f64)| {
+                (a.1 + 1e-9 * a.0.abs()).total_cmp(&(b.1 + 1e-9 * b.0.abs()))
+            };
+            RowEnds {
+                share: share(0.0),
+                best_move: tried.min_by(order).unwrap_or_default(),
+                ends: None,
+                light: (acting.index, acting.name.map(str::to_owned)),
+            }
+        };
+        let found = lights.iter().map(of_light);
+        found.reduce(|worst, other| {
+            if other.share > worst.share {
+                other
+            } else {
+                worst
+            }
+        })
+    }
+
+    /// The move of the light along z that makes up for more than half of it, mm.
+    pub(crate) fn worthy_move(&self) -> Option<f64> {
+        let (moved, left) = self.best_move;
+        (left < self.share / 2.0).then_some(moved)
+    }
+
+    /// The key that moves the light.
+    pub(crate) fn move_key(&self) -> String {
+        match &self.light {
+            (index, Some(_)) => format!("light[{index}].offset_mm"),
+            (_, None) => "light.offset_mm".to_owned(),
+        }
+    }
+}
+
+/// Rows of pixels, from the upper edge down.
+#[derive(Clone, Copy)]
+struct Rows {
+    bottom: f64,
+    top: f64,
+    pitch: f64,
+}
+
+impl Rows {
+    fn of(pixels: &PatternGrid) -> Self {
+        let [low, high] = pixels.field_mm();
+        Rows {
+            bottom: low[1],
+            top: high[1],
+            pitch: pixels.pitch_mm[1],
+        }
+    }
+
+    fn moved(self, mm: f64) -> Self {
+        Rows {
+            bottom: self.bottom + mm,
+            top: self.top + mm,
+            ..self
+        }
+    }
+
+    /// How many rows lie above a height.
+    fn above(&self, z: f64) -> f64 {
+        (self.top - z) / self.pitch
+    }
+
+    fn edge(&self, rows_above: f64) -> f64 {
+        self.top - rows_above * self.pitch
+    }
+
+    /// Whether all faces lie within the light.
+    fn hold(&self, faces: &HorizontalFaces) -> bool {
+        let ends = [faces.areas.first(), faces.areas.last()];
+        let is_lit = |z: f64| self.bottom - 1e-9 <= z && z <= self.top + 1e-9;
+        ends.into_iter().flatten().all(|(z, _)| is_lit(*z))
+    }
+
+    /// Areas without those of slanted surfaces.
+    fn flat(&self, faces: &HorizontalFaces) -> Vec<(f64, f64)> {
+        let quarter = |z: f64| {
+            let part = self.above(z).rem_euclid(1.0) * QUARTERS as f64 + 0.5;
+            part as usize % QUARTERS
+        };
+        let mut sums = [0.0; QUARTERS];
+        for &(z, area) in &faces.areas {
+            sums[quarter(z)] += area;
+        }
+        let slanted = sums.into_iter().fold(f64::INFINITY, f64::min);
+        let flat = |&(z, area): &(f64, f64)| (z, area * (1.0 - slanted / sums[quarter(z)]));
+        faces.areas.iter().map(flat).collect()
+    }
+
+    /// Volume between faces and the nearest edges.
+    fn between(&self, areas: &[(f64, f64)]) -> f64 {
+        let distance = |z: f64| {
+            let rows = self.above(z);
+            (rows - rows.round()).abs() * self.pitch
+        };
+        areas.iter().map(|&(z, area)| area * distance(z)).sum()
+    }
+}
