@@ -135,7 +135,8 @@ struct Children {
 
 impl Children {
     fn new(boxes: &[AlignedBox; SPLIT]) -> Self {
-        let lanes = |of: &dyn Fn(&AlignedBox) -> f32| f32x4::new(boxes.each_ref().map(of));
+        let lanes =
+            |bound_of: &dyn Fn(&AlignedBox) -> f32| f32x4::new(boxes.each_ref().map(bound_of));
         Children {
             low: [0, 1, 2].map(|axis| lanes(&|b| b.low[axis])),
             high: [0, 1, 2].map(|axis| lanes(&|b| b.high[axis])),
@@ -286,22 +287,22 @@ impl BoxTree {
         tree.firsts.push(count as u32);
         let rows = (0..leaves).step_by(LEAVES_AT_ONCE).par_map(|first| {
             let row = first..(first + LEAVES_AT_ONCE).min(leaves);
-            let (mut bounds, mut kept) =
+            let (mut bounds, mut contents) =
                 (Vec::with_capacity(row.len()), Vec::with_capacity(row.len()));
-            for (own, thing) in row.map(|i| leaf(&tree.order[tree.places(i)])) {
-                bounds.push(own);
-                kept.push(thing);
+            for (bound, thing) in row.map(|i| leaf(&tree.order[tree.places(i)])) {
+                bounds.push(bound);
+                contents.push(thing);
             }
-            (bounds, kept)
+            (bounds, contents)
         });
         // Whole rows are moved at once, to memory that never grows
-        let (mut bounds, mut kept) = (Vec::with_capacity(leaves), Vec::with_capacity(leaves));
+        let (mut bounds, mut contents) = (Vec::with_capacity(leaves), Vec::with_capacity(leaves));
         for (mut of_row, mut things) in rows {
             bounds.append(&mut of_row);
-            kept.append(&mut things);
+            contents.append(&mut things);
         }
         tree.set_boxes(&bounds);
-        (tree, kept)
+        (tree, contents)
     }
 
     /// Adds the node of a part, and all below it.
@@ -675,21 +676,22 @@ mod tests {
     fn trees_of_both_kinds_find_the_nearest_thing() {
         let mut random = random();
         let points: Vec<Point> = (0..500).map(|_| [0; 3].map(|_| random() as f32)).collect();
-        let of = |i: &u32| points[*i as usize];
+        let point_of = |i: &u32| points[*i as usize];
         let work = Work::new();
-        let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(of)), things.to_vec());
-        let (small, kept) = BoxTree::of_small(points.len(), |i| of(&i), leaf, &work);
+        let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(point_of)), things.to_vec());
+        let (small, contents) = BoxTree::of_small(points.len(), |i| point_of(&i), leaf, &work);
         let bounds: Vec<AlignedBox> = points.iter().map(|&p| AlignedBox::of([p])).collect();
         let any = BoxTree::of(&bounds, &work);
         let squared = |a: Point, b: Point| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>();
         for _ in 0..200 {
             let p: Point = [0; 3].map(|_| 2.0 * random() as f32 - 0.5);
             let least = |all: &mut dyn Iterator<Item = &u32>| {
-                all.map(|i| squared(p, of(i))).fold(f32::INFINITY, f32::min)
+                all.map(|i| squared(p, point_of(i)))
+                    .fold(f32::INFINITY, f32::min)
             };
             let all: Vec<u32> = (0..points.len() as u32).collect();
             let nearest = least(&mut all.iter());
-            let found = small.near(p, f32::INFINITY, |i| least(&mut kept[i].iter()));
+            let found = small.near(p, f32::INFINITY, |i| least(&mut contents[i].iter()));
             assert_eq!(found, nearest);
             let things = |i| any.order()[any.places(i)].iter();
             let found = any.near(p, nearest.next_up(), |i| least(&mut things(i)));

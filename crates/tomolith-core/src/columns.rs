@@ -225,15 +225,15 @@ mod tests {
             ("", "an empty file"),
         ] {
             std::fs::write(&file, text).unwrap();
-            let said = read_pairs(&file, "dose and response")
+            let message = read_pairs(&file, "dose and response")
                 .unwrap_err()
                 .to_string();
-            crate::contains!(said, "pairs.csv", wrong, "dose and response");
+            crate::contains!(message, "pairs.csv", wrong, "dose and response");
         }
         std::fs::write(&file, [0xff, 0xfe, 0]).unwrap();
         for (path, found) in [(file.as_path(), "not UTF-8"), (folder.path(), "a folder")] {
-            let said = Columns::read(path).unwrap_err().to_string();
-            crate::contains!(said, found);
+            let message = Columns::read(path).unwrap_err().to_string();
+            crate::contains!(message, found);
         }
     }
 }

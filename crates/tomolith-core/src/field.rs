@@ -273,8 +273,8 @@ pub trait Field: Clone + Send + Sync + 'static {
     fn secant(&self, before: &Self, after: &Self) -> Secant;
 
     /// The sum over ranks of a number that each has, where this field is one rank's share ([`ranks`](crate::ranks)); else the number.
-    fn total(&self, own: f64) -> f64 {
-        own
+    fn total(&self, local: f64) -> f64 {
+        local
     }
     /// Whether any rank says yes, where this field is one rank's share; else whether this process does.
     fn any(&self, yes: bool) -> bool {
@@ -350,9 +350,9 @@ impl HostField {
 
     /// The largest of all ranks of a number that each has, where this field is one rank's share; else the number.
     #[must_use]
-    pub fn largest(&self, own: f32) -> f32 {
+    pub fn largest(&self, local: f32) -> f32 {
         let ranks = self.ranks.as_ref();
-        ranks.map_or(own, |ranks| ranks.largest(own))
+        ranks.map_or(local, |ranks| ranks.largest(local))
     }
 
     /// The elements.
@@ -468,8 +468,8 @@ impl Field for HostField {
         }
     }
 
-    fn total(&self, own: f64) -> f64 {
-        let mut sum = [own];
+    fn total(&self, local: f64) -> f64 {
+        let mut sum = [local];
         self.add_up(&mut sum);
         sum[0]
     }
@@ -723,20 +723,20 @@ mod tests {
     /// The formulas that methods are made of, one element each, in numbers without rounding.
     #[test]
     fn the_formulas_of_methods_are_what_their_names_say() {
-        let of = |values: &[f32]| HostField::from_slice(values);
+        let field_of = |values: &[f32]| HostField::from_slice(values);
         let after = |change: &dyn Fn(&mut HostField)| {
-            let mut x = of(&[2.0, -4.0, 0.5]);
+            let mut x = field_of(&[2.0, -4.0, 0.5]);
             change(&mut x);
             x.as_slice().to_vec()
         };
-        let other = of(&[4.0, -1.0, 0.0]);
+        let other = field_of(&[4.0, -1.0, 0.0]);
         assert_eq!(after(&|x| x.shift(1.0)), [3.0, -3.0, 1.5]);
         assert_eq!(after(&|x| x.multiply(&other)), [8.0, 4.0, 0.0]);
         assert_eq!(after(&|x| x.keep_positive(&other)), [2.0, 0.0, 0.0]);
         assert_eq!(after(&|x| x.mix(0.75, &other)), [2.5, -3.25, 0.375]);
         assert_eq!(after(&|x| x.mix_squares(0.75, &other)), [5.5, -2.75, 0.375]);
         // √(4·4) + 1 and √0 + 1
-        let squares = of(&[4.0, 0.0, 0.0]);
+        let squares = field_of(&[4.0, 0.0, 0.0]);
         assert_eq!(
             after(&|x| x.divide_by_roots(&squares, 4.0, 1.0)),
             [0.4, -4.0, 0.5]

@@ -27,7 +27,7 @@ pub struct Section {
     /// A section of its kind that works, for messages; empty where it is of no kind.
     example: &'static str,
     /// Keys that may stand beside its kind and were taken out of it, for messages.
-    beside: &'static [&'static str],
+    siblings: &'static [&'static str],
 }
 
 impl Section {
@@ -38,14 +38,14 @@ impl Section {
             value,
             base: PathBuf::new(),
             example: "",
-            beside: &[],
+            siblings: &[],
         }
     }
 
     /// The same section, from which these keys, which may stand beside its kind, were taken.
     #[must_use]
-    pub fn without(mut self, beside: &'static [&'static str]) -> Self {
-        self.beside = beside;
+    pub fn without(mut self, siblings: &'static [&'static str]) -> Self {
+        self.siblings = siblings;
         self
     }
 
@@ -182,7 +182,7 @@ impl Section {
             Value::Object(map) => {
                 if let Some(word) = self.misspelt(map, names) {
                     let key = format!("{}.{word}", self.path);
-                    return Err(unknown(key, word, self.beside));
+                    return Err(unknown(key, word, self.siblings));
                 }
                 let found = map.keys().cloned().collect::<Vec<_>>().join(", ");
                 return Err(Error::config(
@@ -223,7 +223,7 @@ impl Section {
         let kinds = map.keys().filter(is_kind).count();
         let mut others = map.keys().filter(|key| !is_kind(key));
         let word = others.next()?;
-        (kinds == 1 && !self.beside.is_empty()).then_some(word)
+        (kinds == 1 && !self.siblings.is_empty()).then_some(word)
     }
 }
 
@@ -490,9 +490,9 @@ pub fn schema_of<P: JsonSchema>() -> Schema {
     with_definitions(P::json_schema, &P::schema_name())
 }
 
-fn with_definitions(of: fn(&mut SchemaGenerator) -> Schema, title: &str) -> Schema {
+fn with_definitions(make: fn(&mut SchemaGenerator) -> Schema, title: &str) -> Schema {
     let mut generator = SchemaGenerator::default();
-    let mut schema = of(&mut generator);
+    let mut schema = make(&mut generator);
     let object = schema.ensure_object();
     object.entry("title").or_insert_with(|| title.into());
     if let Some(language) = &generator.settings().meta_schema {
@@ -587,8 +587,8 @@ mod tests {
                 panic!("{key} was accepted")
             };
             assert!(nearest.is_some(), "{key}");
-            let said = why.is_some_and(|why| found.contains(why));
-            assert_eq!(said, why.is_some(), "{key}: {found}");
+            let is_explained = why.is_some_and(|why| found.contains(why));
+            assert_eq!(is_explained, why.is_some(), "{key}: {found}");
             assert_eq!(found == format!("unknown name `{key}`"), why.is_none());
         }
         let section = Section::new("resin", json!({}));

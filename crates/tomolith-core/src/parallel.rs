@@ -52,23 +52,23 @@ pub trait InParallel: Iterator<Item: Send> + Sized {
         });
     }
 
-    /// What `of` makes of each item, in their order.
-    fn par_map<R: Send>(self, of: impl Fn(Self::Item) -> R + Sync) -> Vec<R> {
+    /// What `apply` makes of each item, in their order.
+    fn par_map<R: Send>(self, apply: impl Fn(Self::Item) -> R + Sync) -> Vec<R> {
         let items = listed(self);
-        map(&items, &of)
+        map(&items, &apply)
     }
 
     /// As [`par_map`](Self::par_map), with something that is made once for a row of items, such as memory.
     fn par_map_with<S, R: Send>(
         self,
         make: impl Fn() -> S + Sync,
-        of: impl Fn(&mut S, Self::Item) -> R + Sync,
+        apply: impl Fn(&mut S, Self::Item) -> R + Sync,
     ) -> Vec<R> {
         let items = listed(self);
         let results = empty(items.len());
         ranges(items.len(), &|range| {
             let mut scratch = make();
-            range.for_each(|i| put(&results[i], of(&mut scratch, taken(&items[i]))));
+            range.for_each(|i| put(&results[i], apply(&mut scratch, taken(&items[i]))));
         });
         all(results)
     }
@@ -113,10 +113,13 @@ pub fn elements<T: Send>(values: &mut [T], work: impl Fn(usize, &mut T) + Sync) 
     });
 }
 
-/// The numbers `of(0)`, `of(1)`, … up to `count`.
-pub fn table<R: Copy + Default + Send>(count: usize, of: impl Fn(usize) -> R + Sync) -> Vec<R> {
+/// The numbers `value_of(0)`, `value_of(1)`, … up to `count`.
+pub fn table<R: Copy + Default + Send>(
+    count: usize,
+    value_of: impl Fn(usize) -> R + Sync,
+) -> Vec<R> {
     let mut values = vec![R::default(); count];
-    elements(&mut values, |i, value| *value = of(i));
+    elements(&mut values, |i, value| *value = value_of(i));
     values
 }
 
@@ -134,10 +137,10 @@ fn each<T: Send>(items: &[Slot<T>], work: &(dyn Fn(T) + Sync)) {
     });
 }
 
-fn map<T: Send, R: Send>(items: &[Slot<T>], of: &(dyn Fn(T) -> R + Sync)) -> Vec<R> {
+fn map<T: Send, R: Send>(items: &[Slot<T>], apply: &(dyn Fn(T) -> R + Sync)) -> Vec<R> {
     let results = empty(items.len());
     ranges(items.len(), &|range| {
-        range.for_each(|i| put(&results[i], of(taken(&items[i]))));
+        range.for_each(|i| put(&results[i], apply(taken(&items[i]))));
     });
     all(results)
 }

@@ -90,8 +90,8 @@ pub trait Communicator: Debug + Send + Sync {
 }
 
 /// What a rank reports of its work: it is done, got a request to stop, or failed.
-fn code<T>(own: &Result<T>) -> f32 {
-    match own {
+fn code<T>(result: &Result<T>) -> f32 {
+    match result {
         Ok(_) => 0.0,
         Err(Error::Canceled) => 1.0,
         Err(_) => 2.0,
@@ -103,19 +103,19 @@ fn code<T>(own: &Result<T>) -> f32 {
 /// # Errors
 /// This rank's own; [`Error::Rank`] where another failed, and where rank 0 failed too, which then speaks for all; [`Error::Canceled`] where
 /// another got a request to stop.
-pub fn together<T>(ranks: &dyn Communicator, own: Result<T>) -> Result<T> {
-    let all = ranks.gather(&[code(&own)]);
+pub fn together<T>(ranks: &dyn Communicator, result: Result<T>) -> Result<T> {
+    let all = ranks.gather(&[code(&result)]);
     let mut codes: Vec<f32> = all.into_iter().flatten().collect();
     codes.resize(ranks.size(), 0.0);
     ranks.broadcast(&mut codes);
     let failed = codes.iter().position(|&code| code > 1.0);
-    match (own, failed) {
+    match (result, failed) {
         (Err(error), _) if ranks.is_first() => Err(error),
         (_, Some(0)) => Err(Error::Rank { rank: 0 }),
         (Err(error), _) => Err(error),
         (Ok(_), Some(rank)) => Err(Error::Rank { rank }),
         (Ok(_), None) if codes.iter().any(|&code| code > 0.0) => Err(Error::Canceled),
-        (Ok(own), None) => Ok(own),
+        (Ok(value), None) => Ok(value),
     }
 }
 
@@ -142,15 +142,15 @@ pub struct Shares {
 }
 
 impl Shares {
-    /// Of lights with so many frames in all, whose layouts on this rank are `own`. Called by all ranks.
+    /// Of lights with so many frames in all, and with these layouts on this rank. Called by all ranks.
     #[must_use]
-    pub fn new(ranks: Arc<dyn Communicator>, frames: &[usize], own: &[PatternLayout]) -> Self {
+    pub fn new(ranks: Arc<dyn Communicator>, frames: &[usize], layouts: &[PatternLayout]) -> Self {
         let mut lengths = vec![0.0; frames.iter().sum()];
         let mut first = 0;
-        for (&frames, own) in frames.iter().zip(own) {
+        for (&frames, layout) in frames.iter().zip(layouts) {
             let chosen = frames_of_rank(frames, ranks.rank(), ranks.size());
             for (i, frame) in chosen.into_iter().enumerate() {
-                lengths[first + frame] = own.elements_of(i..i + 1).len() as f64;
+                lengths[first + frame] = layout.elements_of(i..i + 1).len() as f64;
             }
             first += frames;
         }
@@ -195,16 +195,16 @@ impl Shares {
 
     /// The whole field on rank 0, nothing on the others. Called by all ranks, each with its own elements.
     #[must_use]
-    pub fn whole(&self, own: &[f32]) -> Vec<f32> {
-        let all = self.ranks.gather(own);
+    pub fn whole(&self, local: &[f32]) -> Vec<f32> {
+        let all = self.ranks.gather(local);
         if !self.ranks.is_first() {
             return Vec::new();
         }
         let mut whole = vec![0.0; self.len()];
         for (mut values, pieces) in all.iter().map(Vec::as_slice).zip(&self.pieces) {
             for piece in pieces {
-                let own = values.split_off(..piece.len()).unwrap_or_default();
-                whole[piece.clone()].copy_from_slice(own);
+                let part = values.split_off(..piece.len()).unwrap_or_default();
+                whole[piece.clone()].copy_from_slice(part);
             }
         }
         whole
@@ -236,7 +236,7 @@ pub struct Threads {
 /// What the ranks of a process tell each other.
 #[derive(Debug, Default)]
 struct Exchange {
-    told: Vec<Option<Vec<f64>>>,
+    sent: Vec<Option<Vec<f64>>>,
     /// What all have reported in the last round.
     heard: Arc<Vec<Vec<f64>>>,
     rounds: usize,
@@ -247,18 +247,18 @@ impl Threads {
     /// So many ranks, each for a separate thread.
     #[must_use]
     pub fn ranks(size: usize) -> Vec<Self> {
-        let told = vec![None; size];
+        let sent = vec![None; size];
         let exchange = Exchange {
-            told,
+            sent,
             ..Exchange::default()
         };
         let shared = Arc::new((Mutex::new(exchange), Condvar::new()));
-        let of = |rank| Threads {
+        let thread_of = |rank| Threads {
             rank,
             size,
             shared: Arc::clone(&shared),
         };
-        (0..size).map(of).collect()
+        (0..size).map(thread_of).collect()
     }
 
     fn lock(&self) -> MutexGuard<'_, Exchange> {
@@ -266,13 +266,13 @@ impl Threads {
     }
 
     /// What every rank tells, once all have.
-    fn exchange(&self, own: Vec<f64>) -> Arc<Vec<Vec<f64>>> {
+    fn exchange(&self, values: Vec<f64>) -> Arc<Vec<Vec<f64>>> {
         let mut exchange = self.lock();
         let round = exchange.rounds;
-        exchange.told[self.rank] = Some(own);
-        if exchange.told.iter().all(Option::is_some) {
-            let told = exchange.told.iter_mut().filter_map(Option::take).collect();
-            exchange.heard = Arc::new(told);
+        exchange.sent[self.rank] = Some(values);
+        if exchange.sent.iter().all(Option::is_some) {
+            let heard = exchange.sent.iter_mut().filter_map(Option::take).collect();
+            exchange.heard = Arc::new(heard);
             exchange.rounds += 1;
             self.shared.1.notify_all();
         }
@@ -311,21 +311,21 @@ impl Communicator for Threads {
     fn all_reduce(&self, values: &mut [f64]) {
         let all = self.exchange(values.to_vec());
         for (i, value) in values.iter_mut().enumerate() {
-            *value = all.iter().map(|own| own[i]).sum();
+            *value = all.iter().map(|local| local[i]).sum();
         }
     }
 
     fn all_reduce_f32(&self, values: &mut [f32]) {
         let all = self.exchange(wide(values));
         for (i, value) in values.iter_mut().enumerate() {
-            *value = all.iter().map(|own| own[i] as f32).sum();
+            *value = all.iter().map(|local| local[i] as f32).sum();
         }
     }
 
     fn gather(&self, values: &[f32]) -> Vec<Vec<f32>> {
         let all = self.exchange(wide(values));
         match self.is_first() {
-            true => all.iter().map(|own| narrow(own)).collect(),
+            true => all.iter().map(|local| narrow(local)).collect(),
             false => Vec::new(),
         }
     }
@@ -363,11 +363,14 @@ mod tests {
             let mut all = shares.concat();
             all.sort_unstable();
             assert!(all.iter().copied().eq(0..frames), "{frames} {size}");
-            assert!(shares.iter().all(|own| !own.is_empty()), "{frames} {size}");
+            assert!(
+                shares.iter().all(|share| !share.is_empty()),
+                "{frames} {size}"
+            );
             if frames.is_multiple_of(2) && frames / 2 >= size {
-                let opposite = |own: &Vec<usize>| {
-                    let opposite = |frame: &usize| own.contains(&((frame + frames / 2) % frames));
-                    own.iter().all(opposite)
+                let opposite = |share: &Vec<usize>| {
+                    let opposite = |frame: &usize| share.contains(&((frame + frames / 2) % frames));
+                    share.iter().all(opposite)
                 };
                 assert!(shares.iter().all(opposite), "{frames} {size}");
             }
@@ -379,15 +382,15 @@ mod tests {
         let whole = [3.0f32, -1.0, 0.5, 4.0, -7.0, 2.0];
         let all = HostField::from_slice(&whole);
         let found = on_ranks(2, |ranks| {
-            let own = &whole[ranks.rank() * 3..][..3];
-            let own = HostField::from_slice(own).shared(ranks);
-            let step = own.zeros_like().max_abs();
-            let sums = (own.dot(&own), own.norm(), own.total(2.0));
+            let local = &whole[ranks.rank() * 3..][..3];
+            let local = HostField::from_slice(local).shared(ranks);
+            let step = local.zeros_like().max_abs();
+            let sums = (local.dot(&local), local.norm(), local.total(2.0));
             (
                 sums,
-                own.max_abs(),
-                own.lowest(),
-                own.secant(&own, &own),
+                local.max_abs(),
+                local.lowest(),
+                local.secant(&local, &local),
                 step,
             )
         });
@@ -408,9 +411,9 @@ mod tests {
                 let frames = chosen(grid.frames());
                 let rows = |frame: usize| [(0, frame as u32 + 1), (2, l as u32)];
                 let active: Vec<_> = frames.iter().flat_map(|&frame| rows(frame)).collect();
-                let mut own = grid.clone();
-                own.azimuths = frames.iter().map(|&frame| grid.azimuths[frame]).collect();
-                let layout = PatternLayout::new(own, Quantity::Energy, offset, &active);
+                let mut local = grid.clone();
+                local.azimuths = frames.iter().map(|&frame| grid.azimuths[frame]).collect();
+                let layout = PatternLayout::new(local, Quantity::Energy, offset, &active);
                 offset += layout.len();
                 layout
             };
@@ -419,11 +422,11 @@ mod tests {
         let all = layouts(&|frames| (0..frames).collect());
         let values: Vec<f32> = (0..30).map(|i| i as f32).collect();
         let found = on_ranks(3, |ranks| {
-            let own = layouts(&|frames| frames_of_rank(frames, ranks.rank(), ranks.size()));
-            let shares = Shares::new(ranks.clone(), &[6, 3], &own);
+            let local = layouts(&|frames| frames_of_rank(frames, ranks.rank(), ranks.size()));
+            let shares = Shares::new(ranks.clone(), &[6, 3], &local);
             let cut = shares.own(&values);
             // What a frame of the share holds is what it holds in the whole
-            for (light, whole) in own.iter().zip(&all) {
+            for (light, whole) in local.iter().zip(&all) {
                 let frames = frames_of_rank(whole.grid.frames(), ranks.rank(), 3);
                 for (i, frame) in frames.into_iter().enumerate() {
                     let expected = &values[whole.elements_of(frame..frame + 1)];
@@ -445,15 +448,15 @@ mod tests {
             })
         };
         assert!(ended(|_| Ok(())).iter().all(Result::is_ok));
-        let own = failed().map_err(|e: Error| e.to_string());
+        let failure = failed().map_err(|e: Error| e.to_string());
         let other = |rank| Err(Error::Rank { rank }.to_string());
         let one = ended(|rank| match rank {
             1 => Err(Error::config("key", "found", "accepted")),
             _ => Ok(()),
         });
-        assert_eq!(one, [other(1), own.clone(), other(1)]);
+        assert_eq!(one, [other(1), failure.clone(), other(1)]);
         let all = ended(|_| Err(Error::config("key", "found", "accepted")));
-        assert_eq!(all, [own, other(0), other(0)]);
+        assert_eq!(all, [failure, other(0), other(0)]);
         let asked = ended(|rank| match rank {
             2 => Err(Error::Canceled),
             _ => Ok(()),

@@ -91,10 +91,10 @@ mod tests {
         let counts = |x: f64, y: f64| x.hypot(y) < 0.25;
         let labels = label_columns(&target, |[x, y]| counts(x, y));
         assert_eq!(labels, label_voxels(&target, |[x, y, _]| counts(x, y)));
-        let of = |wanted| labels.values.iter().filter(|l| **l == wanted).count();
+        let count_of = |wanted| labels.values.iter().filter(|l| **l == wanted).count();
         assert!(
             [label::OUTSIDE, label::VOID, label::PART]
-                .map(of)
+                .map(count_of)
                 .iter()
                 .all(|n| *n > 3)
         );

@@ -96,10 +96,10 @@ impl DoseModel for OnHost {
         work: &Work,
     ) -> Result<()> {
         let there = self.dose_there(frames, x, work)?;
-        let mut own = dose.zeros_like();
-        there.read_into(own.as_mut_slice());
+        let mut added = dose.zeros_like();
+        there.read_into(added.as_mut_slice());
         self.gpu.check()?;
-        dose.axpy(1.0, &own);
+        dose.axpy(1.0, &added);
         Ok(())
     }
 
@@ -125,9 +125,9 @@ impl DoseModel for OnHost {
         };
         let mut found = Vec::new();
         for term in terms {
-            let mut own = self.new_dose()?;
-            term.read_into(own.as_mut_slice());
-            found.push(own);
+            let mut coefficient = self.new_dose()?;
+            term.read_into(coefficient.as_mut_slice());
+            found.push(coefficient);
         }
         self.gpu.check().map(|()| Some(found))
     }

@@ -139,8 +139,9 @@ fn sampled(response: &dyn tomolith_core::response::Response) -> Vec<[f32; 5]> {
 
 /// A table is part of the kernel: few numbers, found by halving.
 fn tabulated(pieces: &[[f32; 5]], lines: [[f32; 3]; 2]) -> (String, String, [[f32; 4]; 2]) {
-    let list =
-        |of: &dyn Fn(&[f32; 5]) -> String| pieces.iter().map(of).collect::<Vec<_>>().join(", ");
+    let list = |text_of: &dyn Fn(&[f32; 5]) -> String| {
+        pieces.iter().map(text_of).collect::<Vec<_>>().join(", ")
+    };
     let n = pieces.len();
     let begins = list(&|piece| format!("{:?}", piece[0]));
     let cubics = list(&|[_, a, b, c, d]| format!("vec4({a:?}, {b:?}, {c:?}, {d:?})"));
@@ -198,8 +199,8 @@ impl Data {
         let (elements, len) = (loss.elements(), like.len());
         let whole = |values: &[f32], beyond: f32| {
             let mut all = vec![beyond; len];
-            let own = &values[..elements.len().min(values.len())];
-            all[elements.start..][..own.len()].copy_from_slice(own);
+            let given = &values[..elements.len().min(values.len())];
+            all[elements.start..][..given.len()].copy_from_slice(given);
             let mut field = like.scratch_like();
             field.copy_from_host(&all);
             field
@@ -291,8 +292,16 @@ impl Data {
                 widen,
             } => {
                 let mut operands = vec![Operand::read("inside", inside.pieces())];
-                operands.extend(scale.iter().map(|own| Operand::read("scale", own.pieces())));
-                operands.extend(widen.iter().map(|own| Operand::read("widen", own.pieces())));
+                operands.extend(
+                    scale
+                        .iter()
+                        .map(|field| Operand::read("scale", field.pieces())),
+                );
+                operands.extend(
+                    widen
+                        .iter()
+                        .map(|field| Operand::read("widen", field.pieces())),
+                );
                 operands
             }
             Data::Voxels {

@@ -35,17 +35,22 @@ pub(crate) struct Pixels<'a> {
 
 impl DeviceBins {
     /// Of pixels, the layout of their bins, and the weights of each channel.
-    pub(crate) fn new(gpu: &Gpu, of: &Bins, layout: &PatternLayout, weights: &[Vec<f32>]) -> Self {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        bins: &Bins,
+        layout: &PatternLayout,
+        weights: &[Vec<f32>],
+    ) -> Self {
         let run = layout.runs.first().copied().unwrap_or_default();
         DeviceBins {
             columns: gpu.upload(bytemuck::cast_slice(&table(
-                &of.columns,
+                &bins.columns,
                 layout.grid.columns,
             ))),
-            rows: gpu.upload(bytemuck::cast_slice(&table(&of.rows, layout.grid.rows))),
-            pixels: [of.columns.len(), of.rows.len()],
+            rows: gpu.upload(bytemuck::cast_slice(&table(&bins.rows, layout.grid.rows))),
+            pixels: [bins.columns.len(), bins.rows.len()],
             bins: [layout.grid.columns, run.bottom as usize, run.count as usize],
-            scale: of.scale,
+            scale: bins.scale,
             weights: gpu.upload(bytemuck::cast_slice(&weights.concat())),
             slots: weights.first().map_or(0, Vec::len),
         }
@@ -84,12 +89,12 @@ impl DeviceBins {
 
     /// Bins of a channel, of all frames.
     pub(crate) fn fill(&self, gpu: &Gpu, channel: usize, pixels: &Pixels<'_>, bins: &GpuField) {
-        for (own, out) in bins.ranges().zip(bins.pieces()) {
-            gpu.clear(out, 4 * own.len() as u64);
-            let first_frame = own.start / self.of_frame().max(1);
+        for (bin_range, out) in bins.ranges().zip(bins.pieces()) {
+            gpu.clear(out, 4 * bin_range.len() as u64);
+            let first_frame = bin_range.start / self.of_frame().max(1);
             for (range, piece) in pixels.field.ranges().zip(pixels.field.pieces()) {
                 let mut parameters = self.parameters(channel, first_frame, &range, pixels);
-                parameters.push(own.len() as u32);
+                parameters.push(bin_range.len() as u32);
                 let buffers = [
                     out,
                     piece,
@@ -99,7 +104,7 @@ impl DeviceBins {
                     &self.weights,
                     &*pixels.mask.lit,
                 ];
-                let groups = (own.len() as u64).div_ceil(u64::from(THREADS));
+                let groups = (bin_range.len() as u64).div_ceil(u64::from(THREADS));
                 gpu.run("fill bins", &fill, &parameters, &buffers, groups);
             }
         }
@@ -114,9 +119,9 @@ impl DeviceBins {
         bins: &GpuField,
         pixels: &Pixels<'_>,
     ) {
-        for (own, source) in bins.ranges().zip(bins.pieces()) {
+        for (bin_range, source) in bins.ranges().zip(bins.pieces()) {
             let of_frame = self.of_frame().max(1);
-            let here = own.start / of_frame..own.end / of_frame;
+            let here = bin_range.start / of_frame..bin_range.end / of_frame;
             let frames = frames.start.max(here.start)..frames.end.min(here.end);
             if frames.is_empty() {
                 continue;
@@ -156,11 +161,11 @@ fn table(shares: &[Share], bins: usize) -> Vec<[u32; 4]> {
     pixels.chain((0..bins as u32).map(of_bin)).collect()
 }
 
-fn head(own: &str, written: &str, read: &str) -> String {
+fn head(fields: &str, written: &str, read: &str) -> String {
     format!(
         "struct Parameters {{
     columns: u32, rows: u32, bin_columns: u32, bottom: u32, bin_rows: u32, first_frame: u32,
-    begin: u32, end: u32, weights: u32, has_dark: u32, scale: f32, {own}
+    begin: u32, end: u32, weights: u32, has_dark: u32, scale: f32, {fields}
 }}
 @group(0) @binding(0) var<uniform> p: Parameters;
 @group(0) @binding(1) var<storage, read_write> {written}: array<f32>;

@@ -26,7 +26,7 @@ pub(crate) type At<'a> = (&'a Buffer, usize);
 
 /// Numbers that fields are weighted with, as a matrix.
 pub(crate) struct Matrix<'a> {
-    pub(crate) of: &'a Buffer,
+    pub(crate) buffer: &'a Buffer,
     /// The first of its numbers.
     pub(crate) first: usize,
     pub(crate) rows: usize,
@@ -35,21 +35,21 @@ pub(crate) struct Matrix<'a> {
 
 impl DeviceCells {
     /// Cells on a card; `row` is that of voxels.
-    pub(crate) fn new(gpu: &Gpu, of: &CellGrid, row: usize) -> Self {
-        let [nz, ny, nx] = of.layout.grid.shape;
-        let is_full: Vec<u32> = of.is_full.iter().map(|&full| u32::from(full)).collect();
-        let places = of.places.iter().flatten();
+    pub(crate) fn new(gpu: &Gpu, grid: &CellGrid, row: usize) -> Self {
+        let [nz, ny, nx] = grid.layout.grid.shape;
+        let is_full: Vec<u32> = grid.is_full.iter().map(|&full| u32::from(full)).collect();
+        let places = grid.places.iter().flatten();
         let places: Vec<[u32; 2]> = places
             .map(|&(i, next)| [i as u32, next.to_bits()])
             .collect();
-        let axes = of.places.iter().zip([nx, ny, nz]);
+        let axes = grid.places.iter().zip([nx, ny, nz]);
         let ranges =
             axes.flat_map(|(places, cells)| (0..cells).map(|cell| voxels_of(places, cell)));
         let ranges: Vec<[u32; 2]> = ranges.collect();
-        let [vx, vy, vz] = of.places.each_ref().map(|places| places.len() as u32);
+        let [vx, vy, vz] = grid.places.each_ref().map(|places| places.len() as u32);
         DeviceCells {
             gpu: gpu.clone(),
-            shape: [nx, ny, nz, of.layout.row].map(|n| n as u32),
+            shape: [nx, ny, nz, grid.layout.row].map(|n| n as u32),
             is_full: gpu.upload(bytemuck::cast_slice(&is_full)),
             places: gpu.upload(bytemuck::cast_slice(&places)),
             ranges: gpu.upload(bytemuck::cast_slice(&ranges)),
@@ -89,11 +89,11 @@ impl DeviceCells {
         &self,
         name: &str,
         body: &dyn Fn() -> String,
-        own: &[u32],
+        numbers: &[u32],
         buffers: &[&Buffer],
         count: usize,
     ) {
-        let parameters = [&self.shape[..], own].concat();
+        let parameters = [&self.shape[..], numbers].concat();
         let groups = (count * self.cells()).div_ceil(THREADS as usize);
         self.gpu
             .run(name, body, &parameters, buffers, groups as u64);
@@ -102,9 +102,9 @@ impl DeviceCells {
     /// So many sharper fields.
     pub(crate) fn sharpen(&self, strength: [f32; 3], count: usize, from: At<'_>, to: At<'_>) {
         let [x, y, z] = strength.map(f32::to_bits);
-        let own = [count as u32, from.1 as u32, to.1 as u32, x, y, z];
+        let numbers = [count as u32, from.1 as u32, to.1 as u32, x, y, z];
         let buffers = [to.0, from.0, &self.is_full];
-        self.run("sharpen", &sharpen, &own, &buffers, count);
+        self.run("sharpen", &sharpen, &numbers, &buffers, count);
     }
 
     /// One sharper field.
@@ -116,31 +116,32 @@ impl DeviceCells {
 
     /// So many fields, each times its number and that of the (y, x) of a cell.
     pub(crate) fn scale(&self, count: usize, fields: &Buffer, of_field: &Buffer, of_line: &Buffer) {
-        let own = [count as u32];
+        let numbers = [count as u32];
         let buffers = [fields, of_field, of_line];
-        self.run("scale cells", &scale, &own, &buffers, count);
+        self.run("scale cells", &scale, &numbers, &buffers, count);
     }
 
     /// out = (out +) matrix·fields
     pub(crate) fn mix(&self, matrix: &Matrix<'_>, fields: &Buffer, out: &Buffer, adds: bool) {
         let numbers = [matrix.rows, matrix.columns, matrix.first, usize::from(adds)];
-        let buffers = [out, fields, matrix.of];
-        let own = numbers.map(|n| n as u32);
-        self.run("mix", &mix, &own, &buffers, matrix.rows);
+        let buffers = [out, fields, matrix.buffer];
+        let numbers = numbers.map(|n| n as u32);
+        self.run("mix", &mix, &numbers, &buffers, matrix.rows);
     }
 
     /// A field = means over smaller cells, `factor` along an edge.
     pub(crate) fn restrict(&self, near: (&DeviceCells, &Buffer), factor: usize, to: At<'_>) {
         let [near_nx, _, _, near_row] = near.0.shape;
-        let own = [near_nx, near_row, factor as u32, to.1 as u32];
-        self.run("restrict", &restrict, &own, &[to.0, near.1], 1);
+        let numbers = [near_nx, near_row, factor as u32, to.1 as u32];
+        self.run("restrict", &restrict, &numbers, &[to.0, near.1], 1);
     }
 
     /// Transpose of [`restrict`](Self::restrict), added to a field of smaller cells.
     pub(crate) fn prolong(&self, from: At<'_>, factor: usize, near: (&DeviceCells, &Buffer)) {
         let [nx, ny, _, row] = self.shape;
-        let own = [nx, ny, row, factor as u32, from.1 as u32];
-        near.0.run("prolong", &prolong, &own, &[near.1, from.0], 1);
+        let numbers = [nx, ny, row, factor as u32, from.1 as u32];
+        near.0
+            .run("prolong", &prolong, &numbers, &[near.1, from.0], 1);
     }
 
     fn of_voxels(&self) -> Vec<u32> {
@@ -154,8 +155,8 @@ impl DeviceCells {
         shares: &Buffer,
         (columns, piece): &(Range<usize>, &Buffer),
     ) {
-        let own = [columns.start, columns.len()].map(|n| n as u32);
-        let parameters = [self.of_voxels(), own.to_vec()].concat();
+        let numbers = [columns.start, columns.len()].map(|n| n as u32);
+        let parameters = [self.of_voxels(), numbers.to_vec()].concat();
         let threads = columns.len() as u64 * u64::from(self.voxels[2]);
         let buffers = [piece, field, &self.places, shares];
         let groups = threads.div_ceil(u64::from(THREADS));
@@ -174,11 +175,11 @@ impl DeviceCells {
         let nz = self.shape[2] as usize;
         let most = (self.gpu.binding_bytes() as usize / (4 * nz)).max(1);
         for begin in columns.clone().step_by(most) {
-            let own = begin..(begin + most).min(columns.end);
-            let lines = self.gpu.buffer((4 * nz * own.len()) as u64);
-            let numbers = [own.start, own.len(), own.start - columns.start].map(|n| n as u32);
+            let part = begin..(begin + most).min(columns.end);
+            let lines = self.gpu.buffer((4 * nz * part.len()) as u64);
+            let numbers = [part.start, part.len(), part.start - columns.start].map(|n| n as u32);
             let parameters = [self.of_voxels(), numbers.to_vec()].concat();
-            let groups = (nz * own.len()).div_ceil(THREADS as usize) as u64;
+            let groups = (nz * part.len()).div_ceil(THREADS as usize) as u64;
             let buffers = [&lines, piece, &self.places, &self.ranges];
             self.gpu
                 .run("gather along z", &gather_z, &parameters, &buffers, groups);

@@ -38,27 +38,32 @@ struct Axis {
 
 impl Convolution {
     /// Of fields on cells, with the matrix of their kernels: of each (row, column) the number of its kernel.
-    pub(crate) fn new(gpu: &Gpu, of: &OnCells, matrix: &[Vec<usize>]) -> Self {
-        let [nz, ny, nx] = of.grid.layout.grid.shape;
-        let [px, py, pz] = of.padded;
+    pub(crate) fn new(gpu: &Gpu, on_cells: &OnCells, matrix: &[Vec<usize>]) -> Self {
+        let [nz, ny, nx] = on_cells.grid.layout.grid.shape;
+        let [px, py, pz] = on_cells.padded;
         let padded = [py, px, pz];
-        let own = Self::frequencies(of.padded);
-        let most = (gpu.binding_bytes() as usize / (4 * own)).max(1);
+        let frequencies = Self::frequencies(on_cells.padded);
+        let most = (gpu.binding_bytes() as usize / (4 * frequencies)).max(1);
         let upload = |(i, kernels): (usize, &[_])| {
             let values: Vec<&[f32]> = kernels.iter().map(values_of).collect();
             let first = i * most;
             let buffer = gpu.upload(bytemuck::cast_slice(&values.concat()));
             ([first, first + kernels.len()], buffer)
         };
-        let pair = |&kernel: &usize| 2 * kernel as u32 + u32::from(of.kernels[kernel].is_odd);
+        let pair = |&kernel: &usize| 2 * kernel as u32 + u32::from(on_cells.kernels[kernel].is_odd);
         let pairs: Vec<u32> = matrix.iter().flatten().map(pair).collect();
         Convolution {
             gpu: gpu.clone(),
             cells: [ny, nx, nz],
-            row: of.grid.layout.row,
+            row: on_cells.grid.layout.row,
             transforms: padded.map(|n| [-1, 1].map(|sign| Transform::new(gpu, n, sign))),
             padded,
-            kernels: of.kernels.chunks(most).enumerate().map(upload).collect(),
+            kernels: on_cells
+                .kernels
+                .chunks(most)
+                .enumerate()
+                .map(upload)
+                .collect(),
             pairs: gpu.upload(bytemuck::cast_slice(&pairs)),
             columns: matrix.first().map_or(0, Vec::len),
         }
@@ -70,8 +75,8 @@ impl Convolution {
     }
 
     /// Bytes of the largest array that `count` fields at once need in one binding.
-    pub(crate) fn bytes(of: &OnCells, count: usize) -> u64 {
-        8 * (count * Self::frequencies(of.padded)) as u64
+    pub(crate) fn bytes(on_cells: &OnCells, count: usize) -> u64 {
+        8 * (count * Self::frequencies(on_cells.padded)) as u64
     }
 
     /// The matrix of kernels, or its transpose, times `inputs` fields: as many new ones as asked for, of rows that follow each other.
@@ -153,13 +158,13 @@ impl Convolution {
         is_transposed: bool,
     ) -> Buffer {
         let [py, px, pz] = self.padded;
-        let own = Self::frequencies([px, py, pz]);
-        let sums = self.gpu.buffer((8 * outputs * own) as u64);
+        let frequencies = Self::frequencies([px, py, pz]);
+        let sums = self.gpu.buffer((8 * outputs * frequencies) as u64);
         // A kernel of the opposite displacement is its transpose
         let sign: f32 = if is_transposed { -1.0 } else { 1.0 };
         for ([first, end], kernels) in &self.kernels {
             let parameters = [
-                own as u32,
+                frequencies as u32,
                 inputs as u32,
                 outputs as u32,
                 self.columns as u32,
@@ -168,7 +173,7 @@ impl Convolution {
                 *end as u32,
                 sign.to_bits(),
             ];
-            let groups = (outputs * own).div_ceil(THREADS as usize);
+            let groups = (outputs * frequencies).div_ceil(THREADS as usize);
             self.gpu.run(
                 "products of spectra",
                 &multiply,

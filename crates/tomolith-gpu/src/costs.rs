@@ -67,9 +67,9 @@ impl CostKernel<GpuField> for GpuCosts {
 
     fn add_gradient(&self, x: &GpuField, scale: f64, gradient: &mut GpuField) -> f64 {
         let PatternCost::Power { exponent } = *self.cost else {
-            let mut own = on_host(gradient);
-            let value = self.host.add_gradient(&on_host(x), scale, &mut own);
-            gradient.copy_from_host(own.as_slice());
+            let mut sum = on_host(gradient);
+            let value = self.host.add_gradient(&on_host(x), scale, &mut sum);
+            gradient.copy_from_host(sum.as_slice());
             return value;
         };
         let pass = Pass {

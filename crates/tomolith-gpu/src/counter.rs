@@ -43,9 +43,9 @@ impl GpuCounter {
     pub(crate) fn new(labels: &[u8], like: &GpuField) -> Self {
         let of_piece = |range: std::ops::Range<usize>| {
             let [begin, end] = [range.start, range.end].map(|at| at.min(labels.len()));
-            let mut own = labels[begin..end].to_vec();
-            own.resize(range.len().next_multiple_of(4), OUTSIDE);
-            like.gpu().upload(&own)
+            let mut padded = labels[begin..end].to_vec();
+            padded.resize(range.len().next_multiple_of(4), OUTSIDE);
+            like.gpu().upload(&padded)
         };
         GpuCounter {
             gpu: like.gpu().clone(),

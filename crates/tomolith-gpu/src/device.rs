@@ -179,20 +179,20 @@ impl Gpu {
         let is_asked = |(_, described): &&(wgpu::Adapter, Adapter)| match asked {
             Asked::Any => !described.is_software,
             Asked::Named(name) => {
-                let own = described.name.to_lowercase();
-                own.contains(&name.to_lowercase())
+                let full_name = described.name.to_lowercase();
+                full_name.contains(&name.to_lowercase())
             }
         };
         let Some((adapter, described)) = all.iter().find(is_asked) else {
             return Err(missing(asked, &all));
         };
-        let own = adapter.limits();
+        let available = adapter.limits();
         let limits = wgpu::Limits {
-            max_storage_buffer_binding_size: own.max_storage_buffer_binding_size,
-            max_buffer_size: own.max_buffer_size,
+            max_storage_buffer_binding_size: available.max_storage_buffer_binding_size,
+            max_buffer_size: available.max_buffer_size,
             ..wgpu::Limits::default()
         }
-        .or_worse_values_from(&own);
+        .or_worse_values_from(&available);
         let device = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("tomolith"),
             required_limits: limits,
@@ -229,7 +229,7 @@ impl Gpu {
         Ok(Gpu(Arc::new(Inner {
             adapter: Adapter {
                 binding_bytes: described.binding_bytes.min(binding_bytes),
-                memory_bytes: described.memory_bytes.map(|own| own.min(memory_bytes)),
+                memory_bytes: described.memory_bytes.map(|bytes| bytes.min(memory_bytes)),
                 ..described.clone()
             },
             device,
@@ -303,9 +303,11 @@ impl Gpu {
         make: impl FnOnce() -> Result<T>,
     ) -> Result<Arc<T>> {
         let in_use = |all: &mut Vec<Weak<dyn Any + Send + Sync>>| {
-            all.retain(|own| own.strong_count() > 0);
-            let mut own = all.iter().filter_map(|own| own.upgrade()?.downcast().ok());
-            own.find(|own: &Arc<T>| is_same(own))
+            all.retain(|thing| thing.strong_count() > 0);
+            let mut alive = all
+                .iter()
+                .filter_map(|thing| thing.upgrade()?.downcast().ok());
+            alive.find(|thing: &Arc<T>| is_same(thing))
         };
         if let Some(found) = in_use(&mut locked(&self.0.shared)) {
             return Ok(found);
@@ -353,8 +355,8 @@ impl Gpu {
     pub(crate) fn buffer(&self, bytes: u64) -> Buffer {
         let size = bytes.max(16).next_multiple_of(256);
         let mut idle = locked(&self.0.idle);
-        let kept = idle.buffers.get_mut(&size).and_then(Vec::pop);
-        let raw = kept.inspect(|_| idle.bytes -= size);
+        let reused = idle.buffers.get_mut(&size).and_then(Vec::pop);
+        let raw = reused.inspect(|_| idle.bytes -= size);
         idle.used += size;
         idle.most_used = idle.most_used.max(idle.used);
         drop(idle);
@@ -428,8 +430,8 @@ impl Gpu {
         let mut size = 0;
         for &(buffer, bytes) in parts {
             for begin in (0..bytes).step_by(COPIED as usize) {
-                let own = COPIED.min(bytes - begin);
-                if size + own > COPIED {
+                let len = COPIED.min(bytes - begin);
+                if size + len > COPIED {
                     copies.push(self.begin_copy(&std::mem::take(&mut together), size));
                     size = 0;
                 }
@@ -438,8 +440,8 @@ impl Gpu {
                     self.end_copy(copies.remove(0), taken);
                     found = rest;
                 }
-                together.push((buffer, begin, own));
-                size += own;
+                together.push((buffer, begin, len));
+                size += len;
             }
         }
         if size > 0 {
@@ -455,8 +457,8 @@ impl Gpu {
     /// Begins to copy some parts, so many bytes, to memory that the host sees.
     fn begin_copy(&self, parts: &[(&Buffer, u64, u64)], size: u64) -> Fetch {
         let is_large = size > SMALL_COPY;
-        let kept = locked(&self.0.staging)[usize::from(is_large)].pop();
-        let staging = kept.unwrap_or_else(|| {
+        let reused = locked(&self.0.staging)[usize::from(is_large)].pop();
+        let staging = reused.unwrap_or_else(|| {
             self.0.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("staging"),
                 size: if is_large { COPIED } else { SMALL_COPY },
@@ -497,7 +499,7 @@ impl Gpu {
             Ok(view) => found
                 .chunks_mut(1 << 20)
                 .zip(view.chunks(1 << 20))
-                .par_each(|(to, own)| to.copy_from_slice(own)),
+                .par_each(|(to, part)| to.copy_from_slice(part)),
             Err(error) => self.fail(&error.to_string()),
         }
         staging.unmap();
@@ -652,8 +654,8 @@ fn memory_of(adapter: &wgpu::Adapter) -> Option<u64> {
     };
     let heaps = &properties.memory_heaps[..properties.memory_heap_count as usize];
     // Bit 0: on the card
-    let own = heaps.iter().filter(|heap| heap.flags.as_raw() & 1 == 1);
-    own.map(|heap| heap.size).max()
+    let local = heaps.iter().filter(|heap| heap.flags.as_raw() & 1 == 1);
+    local.map(|heap| heap.size).max()
 }
 
 #[cfg(target_vendor = "apple")]
@@ -665,9 +667,9 @@ fn memory_of(_: &wgpu::Adapter) -> Option<u64> {
 fn missing(asked: &Asked<'_>, all: &[(wgpu::Adapter, Adapter)]) -> Error {
     let names: Vec<String> = all
         .iter()
-        .map(|(_, own)| match own.is_software {
-            true => format!("{:?} (software, must be named)", own.name),
-            false => format!("{:?}", own.name),
+        .map(|(_, adapter)| match adapter.is_software {
+            true => format!("{:?} (software, must be named)", adapter.name),
+            false => format!("{:?}", adapter.name),
         })
         .collect();
     let there = if names.is_empty() {

@@ -116,17 +116,17 @@ impl DeviceStrips {
         let mut begin = 0;
         while begin < views {
             gpu.check()?;
-            let own = begin..(begin + step).min(views);
-            let (by_voxel, lit) = self.counted(gpu, &own, Axis::Voxels);
+            let range = begin..(begin + step).min(views);
+            let (by_voxel, lit) = self.counted(gpu, &range, Axis::Voxels);
             // Those of the slots are as many, but for the rounding of weights to 0
-            if by_voxel.bytes() > most / 100 * 99 && own.len() > 1 {
-                step = own.len().div_ceil(2);
+            if by_voxel.bytes() > most / 100 * 99 && range.len() > 1 {
+                step = range.len().div_ceil(2);
                 continue;
             }
-            begin = own.end;
+            begin = range.end;
             pairs += lit;
             chunks.push(Chunk {
-                views: own,
+                views: range,
                 by_voxel,
                 by_slot: OnceLock::new(),
                 keeps: false,
@@ -150,10 +150,10 @@ impl DeviceStrips {
             bytemuck::pod_collect_to_vec(&gpu.read(&[(&counts, 8 * count as u64)]));
         let mut starts = Vec::with_capacity(count + 1);
         let (mut total, mut pairs) = (0u64, 0u64);
-        for own in found.chunks_exact(2) {
+        for row in found.chunks_exact(2) {
             starts.push(total as u32);
-            total += u64::from(own[0]);
-            pairs += u64::from(own[1]);
+            total += u64::from(row[0]);
+            pairs += u64::from(row[1]);
         }
         starts.push(total as u32);
         let rows = Rows {

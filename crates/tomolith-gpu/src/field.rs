@@ -28,7 +28,7 @@ pub struct GpuField {
 pub struct GpuBounds {
     gpu: Gpu,
     lengths: Vec<usize>,
-    of: Limits,
+    limits: Limits,
 }
 
 enum Limits {
@@ -224,7 +224,7 @@ impl Clone for GpuField {
 impl GpuBounds {
     /// The operands of a pass and how its body finds `low` and `high` of element i; numbers go to `p.c`.
     pub(crate) fn operands(&self) -> (Vec<Operand<'_>>, &'static str, [f32; 4]) {
-        match &self.of {
+        match &self.limits {
             Limits::Alike([lower, upper]) => (
                 Vec::new(),
                 "let low = p.c.x; let high = p.c.y;",
@@ -243,7 +243,7 @@ impl GpuBounds {
 
     /// Of a kernel's name: bounds that are alike have another source.
     pub(crate) fn suffix(&self) -> &'static str {
-        match self.of {
+        match self.limits {
             Limits::Alike(_) => "alike",
             Limits::Each { .. } => "each",
         }
@@ -357,9 +357,9 @@ impl Field for GpuField {
             let from = range.start.max(begin);
             let end = range.end.min(begin + values.len());
             if from < end {
-                let own = &values[from - begin..end - begin];
+                let part = &values[from - begin..end - begin];
                 let at = 4 * (from - range.start) as u64;
-                self.gpu.write(piece, at, bytemuck::cast_slice(own));
+                self.gpu.write(piece, at, bytemuck::cast_slice(part));
             }
         }
     }
@@ -443,12 +443,13 @@ impl Field for GpuField {
         assert_eq!(self.len, bounds.len(), "bounds of another length");
         let mut pieces = bounds.pieces().map(|(_, lower, upper)| [lower, upper]);
         let first = pieces.next().unwrap_or([0.0, f32::INFINITY]);
-        let of = if pieces.all(|own| own == first) {
+        let limits = if pieces.all(|piece| piece == first) {
             Limits::Alike(first)
         } else {
-            let field = |of: fn([f32; 2]) -> f32| {
-                let own = bounds.pieces();
-                let values = own.flat_map(|(n, low, high)| std::iter::repeat_n(of([low, high]), n));
+            let field = |side: fn([f32; 2]) -> f32| {
+                let runs = bounds.pieces();
+                let values =
+                    runs.flat_map(|(n, low, high)| std::iter::repeat_n(side([low, high]), n));
                 let mut field = self.scratch_like();
                 field.copy_from_host(&values.collect::<Vec<f32>>());
                 field
@@ -461,7 +462,7 @@ impl Field for GpuField {
         GpuBounds {
             gpu: self.gpu.clone(),
             lengths: self.lengths.clone(),
-            of,
+            limits,
         }
     }
 

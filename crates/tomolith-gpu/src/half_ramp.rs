@@ -67,7 +67,7 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
             );
             let frame = framed(runs, ranges[piece].start, &mut table);
             match batches.last_mut() {
-                Some((own, frames)) if *own == piece && size + frame.rectangle() <= most => {
+                Some((last, frames)) if *last == piece && size + frame.rectangle() <= most => {
                     frames.push(frame);
                     size += frame.rectangle();
                 }
@@ -134,10 +134,10 @@ impl Batch {
     fn new(gpu: &Gpu, piece: usize, frames: Vec<Frame>) -> Self {
         let mut at = 0;
         let words = |frame: &Frame| {
-            let own = at;
+            let begin = at;
             at += frame.rectangle();
             let [from, end] = frame.runs;
-            [from, end, frame.bottom, frame.rows, own as u32, 0, 0, 0]
+            [from, end, frame.bottom, frame.rows, begin as u32, 0, 0, 0]
         };
         let words: Vec<[u32; 8]> = frames.iter().map(words).collect();
         Batch {

@@ -101,12 +101,12 @@ impl Pairs<GpuField> for GpuPairs {
         };
         let pending: Vec<_> = self.slots.iter().map(of_slot).collect();
         let sums = finish_sums(latest.x.gpu(), &pending);
-        let of = |k: usize| sums.iter().map(|own| own[k]).collect();
+        let sums_of = |k: usize| sums.iter().map(|row| row[k]).collect();
         Products {
-            s_y: of(0),
-            z_y: of(1),
-            s_g: of(2),
-            z_g: of(3),
+            s_y: sums_of(0),
+            z_y: sums_of(1),
+            s_g: sums_of(2),
+            z_g: sums_of(3),
             s_s,
             y_y,
         }
@@ -179,8 +179,8 @@ impl Pairs<GpuField> for GpuPairs {
         let mut rest = &bytes[..];
         for slot in &self.slots {
             for (piece, &n) in slot.pieces().iter().zip(slot.lengths()) {
-                let (own, others) = rest.split_at(4 * n);
-                slot.gpu().write(piece, 0, own);
+                let (part, others) = rest.split_at(4 * n);
+                slot.gpu().write(piece, 0, part);
                 rest = others;
             }
         }
@@ -191,15 +191,15 @@ impl Pairs<GpuField> for GpuPairs {
 /// d ← d + Σ (a·s + b·z) of a few slots
 fn add_pairs(d: &mut GpuField, some: &[(&GpuField, [f32; 2])]) {
     const NAMES: [&str; TOGETHER] = ["pair0", "pair1", "pair2", "pair3"];
-    const OF: [&str; TOGETHER] = ["x", "y", "z", "w"];
+    const AXES: [&str; TOGETHER] = ["x", "y", "z", "w"];
     let mut numbers = [[0.0; 4]; 3];
     let mut body = "var sum = d[i];".to_owned();
     let mut operands = vec![Operand::written("d", d.pieces())];
     for (k, (slot, [a, b])) in some.iter().enumerate() {
         (numbers[0][k], numbers[1][k]) = (*a, *b);
         operands.push(Operand::read(NAMES[k], slot.pieces()).words());
-        let (pair, of) = (NAMES[k], OF[k]);
-        body += &format!("sum += p.a.{of} * s_of({pair}[i]) + p.b.{of} * z_of({pair}[i]);");
+        let (pair, axis) = (NAMES[k], AXES[k]);
+        body += &format!("sum += p.a.{axis} * s_of({pair}[i]) + p.b.{axis} * z_of({pair}[i]);");
     }
     body += "d[i] = sum;";
     let pass = Pass {

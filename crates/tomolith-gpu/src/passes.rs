@@ -71,7 +71,7 @@ impl Combine {
         }
     }
 
-    fn of(self, a: &str, b: &str) -> String {
+    fn expression(self, a: &str, b: &str) -> String {
         match self {
             Combine::Sum => format!("{a} + {b}"),
             Combine::Most => format!("max({a}, {b})"),
@@ -180,8 +180,8 @@ impl Pass<'_> {
     ) -> Vec<u32> {
         let Pending { buffer, rows, .. } = self.begin(gpu, operands, lengths, count, Combine::Most);
         let found = words(&gpu.read(&[(&buffer, 4 * (rows * count) as u64)]));
-        let of = |k: usize| found.iter().skip(k).step_by(count).copied().max();
-        (0..count).map(|k| of(k).unwrap_or(0)).collect()
+        let most_of = |k: usize| found.iter().skip(k).step_by(count).copied().max();
+        (0..count).map(|k| most_of(k).unwrap_or(0)).collect()
     }
 
     fn begin(
@@ -264,7 +264,7 @@ impl Pass<'_> {
         if (thread < half) {\n";
         for k in 0..count {
             let shared = format!("shared{k}[thread]");
-            let both = how.of(&shared, &format!("shared{k}[thread + half]"));
+            let both = how.expression(&shared, &format!("shared{k}[thread + half]"));
             let _ = writeln!(text, "{shared} = {both};");
         }
         text += "}
@@ -289,17 +289,17 @@ pub(crate) struct Pending {
 
 /// The sums of several passes, which come back together.
 pub(crate) fn finish_sums(gpu: &Gpu, pending: &[Pending]) -> Vec<Vec<f64>> {
-    let bytes = |own: &Pending| 4 * own.rows * own.count;
+    let bytes = |pass: &Pending| 4 * pass.rows * pass.count;
     let parts: Vec<(&Buffer, u64)> = (pending.iter())
-        .map(|own| (&own.buffer, bytes(own) as u64))
+        .map(|pass| (&pass.buffer, bytes(pass) as u64))
         .collect();
     let found = gpu.read(&parts);
     let mut rest = &found[..];
-    let of_pass = |own: &Pending| {
-        let (numbers, others) = rest.split_at(bytes(own));
+    let of_pass = |pass: &Pending| {
+        let (numbers, others) = rest.split_at(bytes(pass));
         rest = others;
-        let mut sums = vec![0.0; own.count];
-        for numbers in words(numbers).chunks(own.count) {
+        let mut sums = vec![0.0; pass.count];
+        for numbers in words(numbers).chunks(pass.count) {
             for (sum, &bits) in sums.iter_mut().zip(numbers) {
                 *sum += f64::from(f32::from_bits(bits));
             }
@@ -312,7 +312,7 @@ pub(crate) fn finish_sums(gpu: &Gpu, pending: &[Pending]) -> Vec<Vec<f64>> {
 /// Rows of numbers → fewer rows.
 fn fold(how: Combine) -> String {
     let number = how.number();
-    let both = how.of("s", "partial[row * p.count + k]");
+    let both = how.expression("s", "partial[row * p.count + k]");
     format!(
         "struct Parameters {{ all: u32, together: u32, count: u32, rows: u32 }}
 @group(0) @binding(0) var<uniform> p: Parameters;

@@ -163,7 +163,7 @@ impl DeviceLight {
                 * light
                     .starts
                     .windows(2)
-                    .map(|own| own[1] - own[0])
+                    .map(|pair| pair[1] - pair[0])
                     .max()
                     .unwrap_or(0) as usize,
             rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
@@ -327,11 +327,11 @@ impl GpuRays {
         harmonic: Option<&DirectionHarmonic>,
     ) -> Walk<'a> {
         let data = &self.geometry.data;
-        let numbers = |own: &DirectionHarmonic| {
+        let numbers = |harmonic: &DirectionHarmonic| {
             [
-                own.degree as u32,
-                own.order as i32 as u32,
-                own.scale.to_bits(),
+                harmonic.degree as u32,
+                harmonic.order as i32 as u32,
+                harmonic.scale.to_bits(),
             ]
         };
         Walk {
@@ -415,7 +415,7 @@ impl GpuRays {
         field: &'a GpuField,
     ) -> impl Iterator<Item = (&'a DeviceScattered, Range<usize>, Pixels<'a>)> {
         let lights = own_frames(&self.geometry.data.patterns, frames);
-        lights.flat_map(move |(light, own)| {
+        lights.flat_map(move |(light, light_frames)| {
             let of_light = self
                 .geometry
                 .scattered
@@ -427,7 +427,7 @@ impl GpuRays {
                     runs: &self.geometry.lights[light].runs,
                     mask: &self.mask,
                 };
-                (scattered, own.clone(), pixels)
+                (scattered, light_frames.clone(), pixels)
             })
         })
     }

@@ -57,7 +57,9 @@ impl DeviceSource {
     ) -> Result<GpuField> {
         let mut light = self.model().new_dose()?;
         match self {
-            DeviceSource::Strips(own) => own.dose_of(frames.clone(), bins, &mut light, work)?,
+            DeviceSource::Strips(strips) => {
+                strips.dose_of(frames.clone(), bins, &mut light, work)?
+            }
             DeviceSource::Rays(rays, harmonics) => {
                 let weighted = Some(&harmonics[channel]);
                 rays.add(frames, bins, &mut light, weighted, work)?;
@@ -76,7 +78,7 @@ impl DeviceSource {
         work: &Work,
     ) -> Result<()> {
         match self {
-            DeviceSource::Strips(own) => own.collect_frames(frames, light, bins, work),
+            DeviceSource::Strips(strips) => strips.collect_frames(frames, light, bins, work),
             DeviceSource::Rays(rays, harmonics) => {
                 rays.collect(frames, light, bins, Some(&harmonics[channel]), work)
             }
@@ -93,11 +95,11 @@ struct DeviceOnCells {
 }
 
 impl DeviceOnCells {
-    fn new(gpu: &Gpu, of: &OnCells, matrix: &[Vec<usize>], row: usize) -> Self {
+    fn new(gpu: &Gpu, on_cells: &OnCells, matrix: &[Vec<usize>], row: usize) -> Self {
         DeviceOnCells {
-            cells: DeviceCells::new(gpu, &of.grid, row),
-            sharpened: of.sharpened,
-            convolution: Convolution::new(gpu, of, matrix),
+            cells: DeviceCells::new(gpu, &on_cells.grid, row),
+            sharpened: on_cells.sharpened,
+            convolution: Convolution::new(gpu, on_cells, matrix),
         }
     }
 }
@@ -123,7 +125,9 @@ pub(crate) type Voxels<'a> = [(Range<usize>, &'a Buffer)];
 
 /// They, of rows of so many elements.
 pub(crate) fn voxels_of(dose: &GpuField, row: usize) -> Vec<(Range<usize>, &Buffer)> {
-    let columns = dose.ranges().map(|own| own.start / row..own.end / row);
+    let columns = dose
+        .ranges()
+        .map(|range| range.start / row..range.end / row);
     columns.zip(dose.pieces()).collect()
 }
 
@@ -131,7 +135,7 @@ impl DeviceScattered {
     /// Of a light that has these pixels on a card; `row` is that of voxels.
     pub(crate) fn new(
         gpu: &Gpu,
-        of: &ScatteredLight,
+        scattered: &ScatteredLight,
         pixels: &PatternLayout,
         row: usize,
         work: &Work,
@@ -139,11 +143,11 @@ impl DeviceScattered {
         let slots = pixels.runs.len();
         must_be_bound(
             gpu,
-            largest(of, slots),
+            largest(scattered, slots),
             "a larger model.successive_orders.cell_mm",
         )?;
-        let channels = of.source.channels();
-        let (source, layout, weights) = match &of.source {
+        let channels = scattered.source.channels();
+        let (source, layout, weights) = match &scattered.source {
             LightOnCells::Strips(form, weights) => {
                 let source = DeviceSource::Strips(GpuStrips::new(gpu, form, work)?);
                 (source, &form.geometry.patterns[0], Cow::Borrowed(weights))
@@ -159,14 +163,14 @@ impl DeviceScattered {
         let matrix = [(0..channels).collect()];
         Ok(DeviceScattered {
             gpu: gpu.clone(),
-            light: of.light,
-            summary: of.summary.clone(),
-            bins: DeviceBins::new(gpu, &of.bins, layout, &weights),
+            light: scattered.light,
+            summary: scattered.summary.clone(),
+            bins: DeviceBins::new(gpu, &scattered.bins, layout, &weights),
             source,
             channels,
-            shares: gpu.upload(bytemuck::cast_slice(&of.shares)),
-            once: DeviceOnCells::new(gpu, &of.once, &matrix, row),
-            later: DeviceOrders::new(gpu, &of.later, channels, row),
+            shares: gpu.upload(bytemuck::cast_slice(&scattered.shares)),
+            once: DeviceOnCells::new(gpu, &scattered.once, &matrix, row),
+            later: DeviceOrders::new(gpu, &scattered.later, channels, row),
         })
     }
 
@@ -258,38 +262,42 @@ impl DeviceScattered {
 }
 
 impl DeviceOrders {
-    fn new(gpu: &Gpu, of: &LaterOrders, channels: usize, row: usize) -> Self {
-        let moments = of.moments.len();
+    fn new(gpu: &Gpu, later: &LaterOrders, channels: usize, row: usize) -> Self {
+        let moments = later.moments.len();
         // Kernels of pairs a ≤ b, row by row
         let row_of = |a: usize| (0..a).map(|i| moments - i).sum::<usize>();
         let kernel = |a: usize, b: usize| row_of(a.min(b)) + a.abs_diff(b);
         let of_row = |a| (0..moments).map(|b| kernel(a, b)).collect();
         let matrix: Vec<Vec<usize>> = (0..moments).map(of_row).collect();
         let mut numbers = vec![0.0; 2 * moments * channels];
-        for (m, moment) in of.moments.iter().enumerate() {
+        for (m, moment) in later.moments.iter().enumerate() {
             if let Some((channel, weight)) = moment.channel {
                 numbers[m * channels + channel] = weight;
                 numbers[(channels + channel) * moments + m] = weight;
             }
         }
-        numbers.extend(&of.weights);
-        let scattered: Vec<f32> = of.moments.iter().map(|moment| moment.scattered).collect();
+        numbers.extend(&later.weights);
+        let scattered: Vec<f32> = later
+            .moments
+            .iter()
+            .map(|moment| moment.scattered)
+            .collect();
         DeviceOrders {
-            on: DeviceOnCells::new(gpu, &of.cells, &matrix, row),
-            factor: of.factor,
-            between: of.between,
-            resin: gpu.upload(bytemuck::cast_slice(&of.resin)),
+            on: DeviceOnCells::new(gpu, &later.cells, &matrix, row),
+            factor: later.factor,
+            between: later.between,
+            resin: gpu.upload(bytemuck::cast_slice(&later.resin)),
             scattered: gpu.upload(bytemuck::cast_slice(&scattered)),
             numbers: gpu.upload(bytemuck::cast_slice(&numbers)),
             channels,
             moments,
-            orders: of.weights.len(),
+            orders: later.weights.len(),
         }
     }
 
     fn matrix(&self, first: usize, [rows, columns]: [usize; 2]) -> Matrix<'_> {
         Matrix {
-            of: &self.numbers,
+            buffer: &self.numbers,
             first,
             rows,
             columns,
@@ -354,16 +362,16 @@ impl DeviceOrders {
 }
 
 /// Bytes of the largest array that a kernel sees at once, where a light has so many columns of pixels in all frames.
-fn largest(of: &ScatteredLight, slots: usize) -> u64 {
-    let (channels, moments) = (of.source.channels(), of.later.moments.len());
+fn largest(scattered: &ScatteredLight, slots: usize) -> u64 {
+    let (channels, moments) = (scattered.source.channels(), scattered.later.moments.len());
     let spectra = [
-        (&of.once, channels),
-        (&of.later.cells, moments.max(channels)),
+        (&scattered.once, channels),
+        (&scattered.later.cells, moments.max(channels)),
     ];
     let of_spectra = spectra.map(|(cells, count)| {
         let fields = 4 * (count * cells.grid.layout.len()) as u64;
         fields.max(Convolution::bytes(cells, count))
     });
-    let others = [channels * slots, of.shares.len()].map(|n| 4 * n as u64);
+    let others = [channels * slots, scattered.shares.len()].map(|n| 4 * n as u64);
     of_spectra.into_iter().chain(others).max().unwrap_or(0)
 }

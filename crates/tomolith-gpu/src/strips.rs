@@ -23,7 +23,7 @@ use tomolith_core::error::{Error, Result};
 
 /// The geometry of a model on the card.
 struct Geometry {
-    of: Arc<StripGeometry>,
+    strips: Arc<StripGeometry>,
     lights: Vec<DeviceLight>,
     /// Where entries are written that are not stored.
     scratch: Option<Buffer>,
@@ -78,12 +78,12 @@ pub(crate) struct GpuStrips {
 }
 
 impl Geometry {
-    fn new(gpu: &Gpu, of: &Arc<StripGeometry>, work: &Work) -> Result<Self> {
+    fn new(gpu: &Gpu, geometry: &Arc<StripGeometry>, work: &Work) -> Result<Self> {
         let mut lights = Vec::new();
         let mut pairs = 0;
-        for (light, layout) in of.lights.iter().zip(&of.patterns) {
-            let (own, of_light) = DeviceLight::new(gpu, of, light, layout)?;
-            lights.push(own);
+        for (light, layout) in geometry.lights.iter().zip(&geometry.patterns) {
+            let (device_light, of_light) = DeviceLight::new(gpu, geometry, light, layout)?;
+            lights.push(device_light);
             pairs += of_light;
             work.check()?;
         }
@@ -100,19 +100,23 @@ impl Geometry {
             let largest = chunks().map(Chunk::bytes).max().unwrap_or(0);
             scratch = Some(gpu.buffer(largest));
         }
-        let own = |light: &ScatteredLight| {
-            let pixels = &of.patterns[light.light];
-            DeviceScattered::new(gpu, light, pixels, of.output.row, work)
+        let scattered_of = |light: &ScatteredLight| {
+            let pixels = &geometry.patterns[light.light];
+            DeviceScattered::new(gpu, light, pixels, geometry.output.row, work)
         };
-        let scattered = of.scattered.iter().map(own).collect::<Result<Vec<_>>>()?;
+        let scattered = geometry
+            .scattered
+            .iter()
+            .map(scattered_of)
+            .collect::<Result<Vec<_>>>()?;
         gpu.check()?;
         let of_scattered = scattered.iter().map(DeviceScattered::updates);
         Ok(Geometry {
-            of: of.clone(),
+            strips: geometry.clone(),
             lights,
             scratch,
             entry_bytes: all,
-            updates: pairs * of.output.grid.shape[0] as u64 + of_scattered.sum::<u64>(),
+            updates: pairs * geometry.output.grid.shape[0] as u64 + of_scattered.sum::<u64>(),
             scattered,
         })
     }
@@ -121,12 +125,12 @@ impl Geometry {
 impl DeviceLight {
     fn new(
         gpu: &Gpu,
-        of: &StripGeometry,
+        geometry: &StripGeometry,
         light: &LightStrips,
         layout: &PatternLayout,
     ) -> Result<(Self, u64)> {
         let lanes = light.to_lanes.first.len().div_ceil(4);
-        let strips = DeviceStrips::new(gpu, of, light);
+        let strips = DeviceStrips::new(gpu, geometry, light);
         let bytes_of_view = (light.columns * lanes * 16) as u64;
         let (chunks, pairs) = strips.chunks(gpu, light.views, bytes_of_view)?;
         let columns = layout.grid.columns;
@@ -150,7 +154,7 @@ impl DeviceLight {
             .map(|sides| sides.map(|run| run.unwrap_or(u32::MAX)))
             .collect();
         let spread = light.spread.as_ref();
-        let own = DeviceLight {
+        let device_light = DeviceLight {
             strips,
             chunks,
             runs: gpu.upload(bytemuck::cast_slice(&runs)),
@@ -164,7 +168,7 @@ impl DeviceLight {
             columns,
             frames: layout.grid.frames(),
         };
-        Ok((own, pairs))
+        Ok((device_light, pairs))
     }
 
     /// Frames that light views of a chunk: some in a row, from each side.
@@ -182,7 +186,7 @@ impl GpuStrips {
     pub(crate) fn new(gpu: &Gpu, form: &StripForm, work: &Work) -> Result<Self> {
         must_fit(gpu, &form.geometry)?;
         let geometry = gpu.shared(
-            |own: &Geometry| Arc::ptr_eq(&own.of, &form.geometry),
+            |geometry: &Geometry| Arc::ptr_eq(&geometry.strips, &form.geometry),
             || Geometry::new(gpu, &form.geometry, work),
         )?;
         Ok(GpuStrips {
@@ -198,20 +202,20 @@ impl GpuStrips {
         light: usize,
         field: &'a GpuField,
     ) -> impl Iterator<Item = (&'a DeviceScattered, Pixels<'a>)> {
-        let of_light = move |own: &&DeviceScattered| own.light == light;
+        let of_light = move |scattered: &&DeviceScattered| scattered.light == light;
         let scattered = self.geometry.scattered.iter().filter(of_light);
-        scattered.map(move |own| {
+        scattered.map(move |scattered| {
             let pixels = Pixels {
                 field,
                 runs: &self.geometry.lights[light].runs,
                 mask: &self.mask,
             };
-            (own, pixels)
+            (scattered, pixels)
         })
     }
 
     fn output(&self) -> &DoseLayout {
-        &self.geometry.of.output
+        &self.geometry.strips.output
     }
 
     /// Rows of voxels in each piece of a dose.
@@ -275,17 +279,17 @@ impl GpuStrips {
         grad: &GpuField,
     ) {
         let rows = light.to_rows.count.max(1);
-        for own in light.frames_of(&chunk.views) {
-            let own = own.start.max(frames.start)..own.end.min(frames.end);
-            if own.is_empty() {
+        for span in light.frames_of(&chunk.views) {
+            let span = span.start.max(frames.start)..span.end.min(frames.end);
+            if span.is_empty() {
                 continue;
             }
             for (range, piece) in grad.ranges().zip(grad.pieces()) {
-                let runs = own.len() * light.columns;
+                let runs = span.len() * light.columns;
                 let parameters = [
                     runs as u32,
                     rows as u32,
-                    (own.start * light.columns) as u32,
+                    (span.start * light.columns) as u32,
                     (chunk.views.start * light.columns) as u32,
                     range.start as u32,
                     range.end as u32,
@@ -400,8 +404,8 @@ impl GpuStrips {
         frames: &'a Range<usize>,
     ) -> impl Iterator<Item = &'a Chunk> {
         light.chunks.iter().filter(move |chunk| {
-            let mut own = light.frames_of(&chunk.views);
-            own.any(|own| own.start < frames.end && frames.start < own.end)
+            let mut ranges = light.frames_of(&chunk.views);
+            ranges.any(|range| range.start < frames.end && frames.start < range.end)
         })
     }
 
@@ -417,12 +421,12 @@ impl GpuStrips {
         let row = self.output().row;
         let of_rows: Vec<Option<Buffer>> = (self.voxels_of(cotangent))
             .map(|(voxels, piece)| {
-                let own = self.rows_buffer(light, voxels.len())?;
+                let rows = self.rows_buffer(light, voxels.len())?;
                 let [_, to_rows] = light.spread.as_ref()?;
-                let out = RowsOf::new(&own, voxels.clone(), light.lanes);
+                let out = RowsOf::new(&rows, voxels.clone(), light.lanes);
                 let source = RowsOf::new(piece, voxels, row / 4);
                 self.resample(to_rows, &out, &source, self.output().grid.shape[0]);
-                Some(own)
+                Some(rows)
             })
             .collect();
         for chunk in self.chunks_of(light, frames) {
@@ -500,12 +504,14 @@ impl GpuStrips {
         grad: &mut GpuField,
         work: &Work,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, frames) {
+        for (light, light_frames) in
+            tomolith_core::dose::own_frames(&self.geometry.strips.patterns, frames)
+        {
             let of_light = &self.geometry.lights[light];
-            self.adjoint_light(of_light, &own, cotangent, grad, work)?;
+            self.adjoint_light(of_light, &light_frames, cotangent, grad, work)?;
             for (scattered, pixels) in self.scattered(light, grad) {
                 let voxels = voxels_of(cotangent, self.output().row);
-                scattered.add_adjoint(&own, &voxels, &pixels, work)?;
+                scattered.add_adjoint(&light_frames, &voxels, &pixels, work)?;
             }
         }
         self.gpu.submit();
@@ -518,8 +524,8 @@ impl DoseModel for GpuStrips {
 
     fn facts(&self) -> Facts<'_> {
         Facts {
-            patterns: &self.geometry.of.patterns,
-            outputs: std::slice::from_ref(&self.geometry.of.output),
+            patterns: &self.geometry.strips.patterns,
+            outputs: std::slice::from_ref(&self.geometry.strips.output),
             z_coupling: if self.geometry.scattered.is_empty() {
                 ZCoupling::None
             } else {
@@ -530,7 +536,12 @@ impl DoseModel for GpuStrips {
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        GpuField::of_space(&self.gpu, space, &self.geometry.of.patterns, self.output())
+        GpuField::of_space(
+            &self.gpu,
+            space,
+            &self.geometry.strips.patterns,
+            self.output(),
+        )
     }
 
     fn dose_of(
@@ -540,11 +551,13 @@ impl DoseModel for GpuStrips {
         dose: &mut GpuField,
         work: &Work,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
-            self.add_light(&self.geometry.lights[light], &own, x, dose, work)?;
+        for (light, light_frames) in
+            tomolith_core::dose::own_frames(&self.geometry.strips.patterns, &frames)
+        {
+            self.add_light(&self.geometry.lights[light], &light_frames, x, dose, work)?;
             for (scattered, pixels) in self.scattered(light, x) {
                 let voxels = voxels_of(dose, self.output().row);
-                scattered.add(&own, &pixels, &voxels, work)?;
+                scattered.add(&light_frames, &pixels, &voxels, work)?;
             }
         }
         self.gpu.submit();
@@ -575,7 +588,7 @@ impl DoseModel for GpuStrips {
         let place = self.gpu.with(self.geometry.entry_bytes, "weights");
         let straight = format!("parallel ({place}, {entries})");
         let scattered = self.geometry.scattered.iter();
-        let scattered: Vec<&str> = scattered.map(|own| &*own.summary).collect();
+        let scattered: Vec<&str> = scattered.map(|light| &*light.summary).collect();
         if scattered.is_empty() {
             return straight;
         }

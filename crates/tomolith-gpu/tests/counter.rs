@@ -48,7 +48,7 @@ fn the_print_of_a_dose_has_the_numbers_of_the_host_to_the_last_bit() {
         assert!(compare(&labels, &vec![0.25; n], "one value").is_some());
         assert!(compare(&labels, &vec![-0.0; n], "dark").is_some());
         // Where nothing counts anything may stand
-        let at = |wanted| labels.iter().position(|&own| own == wanted).unwrap();
+        let at = |wanted| labels.iter().position(|&label| label == wanted).unwrap();
         let (outside, void, first) = (at(OUTSIDE), at(VOID), at(PART));
         let with = |i: usize, value: f32| {
             let mut dose = dose.clone();

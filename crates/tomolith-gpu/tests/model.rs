@@ -251,8 +251,8 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             }
             let card = gpu.model(&form, &Work::new()).unwrap().unwrap();
             if let Form::Strips(_) = form {
-                let kept = card.describe().contains("weights, kept");
-                assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
+                let keeps_weights = card.describe().contains("weights, kept");
+                assert_eq!(keeps_weights, memory > 1 << 16, "{}", card.describe());
             }
             let (near, _) = case.tolerances();
             let mut x = check::noisy_patterns(&*host, 1);

@@ -227,12 +227,14 @@ fn moments(case: &Case, dose: &HostField) -> Vec<f64> {
 /// Mean and its standard deviation of moments of scattered light, from several seeds.
 fn scattered(case: &Case, seeds: u64, model: &dyn Fn(&Params) -> HostModel) -> Vec<[f64; 2]> {
     let x = check::even_patterns(&*case.host(&case.params), 1.0);
-    let of = |params: &Params| moments(case, &check::dose(&*model(params), &x));
-    let straight = of(&Params {
+    let moments_of = |params: &Params| moments(case, &check::dose(&*model(params), &x));
+    let straight = moments_of(&Params {
         orders: 0,
         ..case.params.clone()
     });
-    let all: Vec<Vec<f64>> = (1..=seeds).map(|seed| of(&case.seeded(seed))).collect();
+    let all: Vec<Vec<f64>> = (1..=seeds)
+        .map(|seed| moments_of(&case.seeded(seed)))
+        .collect();
     let count = seeds as f64;
     let mean_of = |i: usize| {
         let values = || all.iter().map(|sums| sums[i] - straight[i]);

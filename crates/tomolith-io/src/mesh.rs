@@ -222,8 +222,8 @@ pub fn parse_mesh(bytes: &[u8], extension: &str, path: &Path) -> Result<MeshFile
 /// Whether a file's name is that of a mesh.
 #[must_use]
 pub fn is_mesh(path: &Path) -> bool {
-    let extension = path.extension().and_then(|own| own.to_str());
-    extension.is_some_and(|own| format_of(own, path).is_ok())
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    extension.is_some_and(|extension| format_of(extension, path).is_ok())
 }
 
 type Parse = fn(&[u8], &mut Collector) -> Result<()>;

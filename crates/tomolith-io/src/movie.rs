@@ -65,7 +65,7 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
         if let Some(missing) = track::missing(&file) {
             return Err(damaged(path, missing));
         }
-        match own(&file, path, shape)? {
+        match read_built_in(&file, path, shape)? {
             Ok(frames) => return Ok(frames),
             Err(what) => what,
         }
@@ -91,7 +91,7 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
 }
 
 /// What our own readers make of an MP4 or QuickTime file; where it is not theirs, what it holds.
-fn own(
+fn read_built_in(
     file: &[u8],
     path: &Path,
     [frames, rows, columns]: [usize; 3],

@@ -41,7 +41,7 @@
 //! ```
 
 use super::frames::FrameSet;
-use super::movie::h264::{each_image, groups, said};
+use super::movie::h264::{each_image, groups, message_of};
 use super::movie::track::Track;
 use super::whole::{Refused, write_whole_under};
 use muxide::api::{MuxerBuilder, VideoCodec};
@@ -174,7 +174,7 @@ fn encode(
         .num_threads(1)
         .vui(VuiConfig::bt709_full());
     let mut encoder =
-        Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| said(&e))?;
+        Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| message_of(&e))?;
     // Three planes of a gray image in 4:2:0: luma, then chroma
     let (mut planes, columns) = (vec![128; width * height * 3 / 2], set.grid.columns);
     planes[..width * height].fill(0);
@@ -189,7 +189,7 @@ fn encode(
             }
             let packet = encoder
                 .encode(&YUVBuffer::from_vec(planes.clone(), width, height))
-                .map_err(|e| format!("OpenH264 refuses frame {frame} ({})", said(&e)))?
+                .map_err(|e| format!("OpenH264 refuses frame {frame} ({})", message_of(&e)))?
                 .to_vec();
             if packet.is_empty() {
                 return Err(format!("the encoder left out frame {frame}"));

@@ -327,13 +327,13 @@ mod tests {
         write(&Array3::from_shape_fn((2, 3, 4).f(), value));
         assert_eq!(read_patterns(&path).unwrap()[0].shown, expected);
         // Beyond f32 there is no value to be shown
-        for (value, said) in [
+        for (value, message) in [
             (1e300, "patterns: the number farthest from 0 is 1e300"),
             (f64::INFINITY, "patterns holds inf"),
         ] {
             write(&Array3::from_elem((1, 1, 1), value));
             let text = read_patterns(&path).unwrap_err().to_string();
-            assert!(text.contains(said), "{text}");
+            assert!(text.contains(message), "{text}");
         }
         write_npz(&path, "patterns", &ndarray::Array2::<i32>::zeros((1, 1)));
         let text = read_patterns(&path).unwrap_err().to_string();
@@ -403,7 +403,7 @@ mod tests {
         values[[0, 1, 0]] = f32::NAN;
         write_npz(&path, "patterns", &values);
         let text = read_patterns(&path).unwrap_err().to_string();
-        let said = "patterns holds NaN at [0, 1, 0], as [angle, row, column]";
-        assert!(text.contains(said), "{text}");
+        let message = "patterns holds NaN at [0, 1, 0], as [angle, row, column]";
+        assert!(text.contains(message), "{text}");
     }
 }

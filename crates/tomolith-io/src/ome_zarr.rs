@@ -263,8 +263,8 @@ mod tests {
         let levels = &ome["multiscales"][0]["datasets"];
         assert_eq!(levels.as_array().unwrap().len(), 3);
         let transform = |level: usize| {
-            let of = &levels[level]["coordinateTransformations"];
-            [&of[0]["scale"], &of[1]["translation"]].map(Value::to_string)
+            let transforms = &levels[level]["coordinateTransformations"];
+            [&transforms[0]["scale"], &transforms[1]["translation"]].map(Value::to_string)
         };
         assert_eq!(transform(0), ["[0.5,0.5,0.5]", "[3.0,1.5,-31.25]"]);
         assert_eq!(transform(1), ["[0.5,1.0,1.0]", "[3.0,1.75,-31.0]"]);

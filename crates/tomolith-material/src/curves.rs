@@ -178,9 +178,10 @@ impl Curves {
         let Some(cure) = &mut self.cure else { return };
         let gel = readout.gel / readout.scale;
         let (end, step) = (moment.seconds as f32, moment.block_s as f32);
-        let kept = cure.before.as_mut_slice().chunks_mut(BLOCK);
+        let before = cure.before.as_mut_slice().chunks_mut(BLOCK);
         let times = cure.seconds.as_mut_slice().chunks_mut(BLOCK);
-        kept.zip(times)
+        before
+            .zip(times)
             .zip(values.chunks(BLOCK))
             .par_each(|((before, times), now)| {
                 for ((before, time), &now) in before.iter_mut().zip(times).zip(now) {

@@ -165,28 +165,28 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
 
     /// A field with the elements of some frames only.
     fn only(&self, frames: &Range<usize>, d: &HostField) -> HostField {
-        let mut own = d.zeros_like();
+        let mut part = d.zeros_like();
         for (range, _) in elements_of(self.patterns(), frames) {
-            own.as_mut_slice()[range.clone()].copy_from_slice(&d.as_slice()[range]);
+            part.as_mut_slice()[range.clone()].copy_from_slice(&d.as_slice()[range]);
         }
-        own
+        part
     }
 }
 
 /// When neighboring frames of a light shine.
 fn spans_of_frames(schedule: &Schedule, light: usize, frames: Range<usize>) -> Result<Vec<Span>> {
     let exposures = schedule.exposures().iter();
-    let own: Vec<&Exposure> = exposures
+    let chosen: Vec<&Exposure> = exposures
         .filter(|e| e.light == light && frames.contains(&e.frame))
         .collect();
-    if own.is_empty() {
+    if chosen.is_empty() {
         return Err(Error::config(
             format!("light[{light}].turns"),
             format!("frames {} to {} are never shown", frames.start, frames.end),
             "a schedule that shows every frame",
         ));
     }
-    Ok(spans_of(&own, schedule.end_s()))
+    Ok(spans_of(&chosen, schedule.end_s()))
 }
 
 /// Exposures as spans; those that follow one another with the same power are one.
@@ -253,11 +253,11 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         grad: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        let mut own = cotangent.zeros_like();
+        let mut diffused = cotangent.zeros_like();
         for (both, arc) in self.arcs_of(&frames) {
-            own.copy_from(cotangent);
-            self.multiply(arc, &mut own);
-            (self.model).pullback_of(both, x, &own, grad, &work.aside())?;
+            diffused.copy_from(cotangent);
+            self.multiply(arc, &mut diffused);
+            (self.model).pullback_of(both, x, &diffused, grad, &work.aside())?;
         }
         Ok(())
     }
@@ -269,12 +269,12 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         dose: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        let mut own = dose.zeros_like();
+        let mut diffused = dose.zeros_like();
         for (both, arc) in self.arcs_of(&frames) {
-            own.fill(0.0);
-            self.model.dose_of(both, x, &mut own, &work.aside())?;
-            self.multiply(arc, &mut own);
-            dose.axpy(1.0, &own);
+            diffused.fill(0.0);
+            self.model.dose_of(both, x, &mut diffused, &work.aside())?;
+            self.multiply(arc, &mut diffused);
+            dose.axpy(1.0, &diffused);
         }
         Ok(())
     }
@@ -282,10 +282,10 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
     fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let mut sums: Option<Vec<HostField>> = None;
         for arc in &self.arcs {
-            let own = (self.arcs.len() > 1).then(|| self.only(&arc.frames, d));
+            let part = (self.arcs.len() > 1).then(|| self.only(&arc.frames, d));
             let terms = self
                 .model
-                .along(x, own.as_ref().unwrap_or(d), &work.aside())?;
+                .along(x, part.as_ref().unwrap_or(d), &work.aside())?;
             let Some(mut terms) = terms else {
                 return Ok(None);
             };

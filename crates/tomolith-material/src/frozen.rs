@@ -80,11 +80,11 @@ impl Frozen {
     /// # Errors
     /// Those of the print.
     pub fn simulate(&self, x: &HostField, work: &Work) -> Result<()> {
-        let own: Vec<HostField> = (0..self.lights.optics.len())
+        let patterns: Vec<HostField> = (0..self.lights.optics.len())
             .map(|light| self.lights.of_light(light, x))
             .collect();
         let models = self.lights.optics.iter().map(AsRef::as_ref);
-        let sources = models.zip(&own);
+        let sources = models.zip(&patterns);
         let sources = sources.map(|(model, patterns)| LightSource { model, patterns });
         let schedule = &self.lights.schedule;
         let mut print = PrintRun::new(self.material.as_ref(), schedule, sources.collect())?;
@@ -108,10 +108,10 @@ impl Frozen {
             let readout = self.material.readout(s);
             let dose = state.volumes[readout.volume].as_slice();
             let per_unit = readout.scale / readout.gel * needed.dose as f32;
-            let own = &mut taken.as_mut_slice()[output.range()];
+            let values = &mut taken.as_mut_slice()[output.range()];
             match drive {
-                None => own.fill(0.0),
-                Some(drive) => own
+                None => values.fill(0.0),
+                Some(drive) => values
                     .iter_mut()
                     .zip(&drive.as_slice()[output.range()])
                     .zip(dose)
@@ -120,7 +120,8 @@ impl Frozen {
             for (volume, capacity) in needed.inhibitors {
                 let left = state.volumes[volume].as_slice();
                 let capacity = capacity as f32;
-                own.iter_mut()
+                values
+                    .iter_mut()
                     .zip(left)
                     .for_each(|(c, o)| *c += capacity * o);
             }
@@ -145,9 +146,9 @@ impl Frozen {
     fn drive(&self, x: &HostField, drive: &mut HostField, work: &Work) -> Result<()> {
         drive.fill(0.0);
         for (light, model) in self.lights.optics.iter().enumerate() {
-            let own = self.lit(light, x);
+            let patterns = self.lit(light, x);
             let mut of_light = model.new_dose()?;
-            model.dose(&own, &mut of_light, &work.aside())?;
+            model.dose(&patterns, &mut of_light, &work.aside())?;
             self.mix(light, &of_light, drive);
         }
         Ok(())
@@ -155,9 +156,9 @@ impl Frozen {
 
     /// The patterns of a light, as strong as in all of the schedule.
     fn lit(&self, light: usize, x: &HostField) -> HostField {
-        let mut own = self.lights.of_light(light, x);
-        self.scale_by_energy(light, &mut own);
-        own
+        let mut patterns = self.lights.of_light(light, x);
+        self.scale_by_energy(light, &mut patterns);
+        patterns
     }
 
     /// Values of a light times the factor of all energy of their frames.
@@ -194,8 +195,8 @@ impl Frozen {
     /// Doses as degrees of cure.
     fn scale(&self, doses: &mut HostField) {
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
-            let own = &mut doses.as_mut_slice()[output.range()];
-            own.iter_mut().for_each(|v| *v *= per_dose);
+            let values = &mut doses.as_mut_slice()[output.range()];
+            values.iter_mut().for_each(|v| *v *= per_dose);
         }
     }
 }
@@ -272,11 +273,17 @@ impl DoseModel for Frozen {
                 continue;
             }
             let model = self.lights.light(light);
-            let own = self.lit(light, x);
+            let patterns = self.lit(light, x);
             let mut of_light = model.new_dose()?;
             self.unmix(light, &scaled, &mut of_light);
             let mut back = model.new_patterns()?;
-            model.pullback_of(frames.clone(), &own, &of_light, &mut back, &work.aside())?;
+            model.pullback_of(
+                frames.clone(),
+                &patterns,
+                &of_light,
+                &mut back,
+                &work.aside(),
+            )?;
             self.scale_by_energy(light, &mut back);
             let grad = &mut grad.as_mut_slice()[self.lights.ranges[light].clone()];
             for (range, _) in elements_of(model.patterns(), &frames) {
@@ -297,10 +304,10 @@ impl DoseModel for Frozen {
         let mut terms: Vec<HostField> = Vec::new();
         for (light, model) in self.lights.optics.iter().enumerate() {
             let [x, d] = [x, d].map(|v| self.lit(light, v));
-            let Some(own) = model.along(&x, &d, &work.aside())? else {
+            let Some(curve) = model.along(&x, &d, &work.aside())? else {
                 return Ok(None);
             };
-            for (i, term) in own.iter().enumerate() {
+            for (i, term) in curve.iter().enumerate() {
                 if terms.len() == i {
                     terms.push(self.new_dose()?);
                 }
@@ -371,8 +378,8 @@ mod tests {
         let work = Work::new();
         let mut degree = model.new_dose().unwrap();
         printing.unwrap().dose(x, &mut degree, &work).unwrap();
-        let own = check::dose(model, x);
-        (degree.as_slice().to_vec(), own.as_slice().to_vec())
+        let frozen = check::dose(model, x);
+        (degree.as_slice().to_vec(), frozen.as_slice().to_vec())
     }
 
     /// Two networks in two lights, one of which works against the first network.

@@ -115,8 +115,8 @@ impl Heights {
                 sums
             });
         let whole = vec![0.0; nz];
-        sums.into_iter().fold(whole, |mut whole, own| {
-            whole.iter_mut().zip(own).for_each(|(w, o)| *w += o);
+        sums.into_iter().fold(whole, |mut whole, part| {
+            whole.iter_mut().zip(part).for_each(|(w, o)| *w += o);
             whole
         })
     }
@@ -124,14 +124,14 @@ impl Heights {
     /// When each height was done; None where nothing is part.
     #[must_use]
     pub fn done(&self) -> Vec<Option<IdealExposure>> {
-        let of = |z: usize| {
+        let exposure_of = |z: usize| {
             let needed = self.requirement[z];
             (needed > 0.0).then(|| match self.done[z] {
                 Some(seconds) => IdealExposure::At(seconds),
                 None => IdealExposure::NotReached(self.contribution[z] / needed),
             })
         };
-        (0..self.done.len()).map(of).collect()
+        (0..self.done.len()).map(exposure_of).collect()
     }
 }
 

@@ -78,12 +78,16 @@ impl Lights {
     /// Which of the frames of each light are among these of all lights.
     pub(crate) fn own_frames(&self, frames: &Range<usize>) -> Vec<Range<usize>> {
         let mut first = 0;
-        let mut own = |model: &Model| {
+        let mut local_frames = |model: &Model| {
             let end = first + frames_of(model.patterns());
-            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+            let local =
+                frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
             first = end;
-            own
+            local
         };
-        self.optics.iter().map(|model| own(&**model)).collect()
+        self.optics
+            .iter()
+            .map(|model| local_frames(&**model))
+            .collect()
     }
 }

@@ -190,13 +190,13 @@ impl Photopolymer {
         share: Option<&'a HostField>,
         seconds: f64,
     ) -> faces::Step<'a> {
-        let own = &self.slots[slot];
+        let species = &self.slots[slot];
         faces::Step::new(
             &self.domain,
-            own.diffusion,
+            species.diffusion,
             seconds,
             share.map(HostField::as_slice),
-            self.air_of(own),
+            self.air_of(species),
         )
     }
 
@@ -362,11 +362,11 @@ fn chunks_of(volumes: &mut [HostField]) -> Vec<Vec<&mut [f32]>> {
     let count = volumes.first().map_or(0, |v| v.len().div_ceil(CHUNK));
     let mut chunks: Vec<Vec<&mut [f32]>> = (0..count).map(|_| Vec::new()).collect();
     for volume in volumes {
-        let own = volume.as_mut_slice().chunks_mut(CHUNK);
+        let parts = volume.as_mut_slice().chunks_mut(CHUNK);
         chunks
             .iter_mut()
-            .zip(own)
-            .for_each(|(all, own)| all.push(own));
+            .zip(parts)
+            .for_each(|(all, part)| all.push(part));
     }
     chunks
 }

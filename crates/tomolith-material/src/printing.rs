@@ -126,9 +126,9 @@ impl Printing {
         self.material
             .pullback_step(before, &views, block.seconds, back, of_energy)?;
         for (l, light) in light.iter_mut().enumerate() {
-            let own = &mut grad.as_mut_slice()[self.lights.ranges[l].clone()];
+            let light_grad = &mut grad.as_mut_slice()[self.lights.ranges[l].clone()];
             let model = self.lights.light(l);
-            light.pull(model, &x[l], &block.lit[l], &of_energy[l], own, work)?;
+            light.pull(model, &x[l], &block.lit[l], &of_energy[l], light_grad, work)?;
         }
         Ok(())
     }
@@ -191,13 +191,15 @@ impl DoseModel for Printing {
         let x = self.of_lights(x);
         let light = self.illuminations()?.into_iter();
         let light = light.zip(self.lights.own_frames(&frames));
-        let mut light: Vec<_> = light.map(|(light, own)| light.with_wanted(own)).collect();
+        let mut light: Vec<_> = light
+            .map(|(light, frames)| light.with_wanted(frames))
+            .collect();
         let stride = (self.blocks.len() as f64).sqrt().ceil().max(1.0) as usize;
         let mut state = self.material.start()?;
-        let mut kept = Vec::new();
+        let mut checkpoints = Vec::new();
         for (i, block) in self.blocks.iter().enumerate() {
             if i % stride == 0 {
-                kept.push(state.clone());
+                checkpoints.push(state.clone());
             }
             self.step(block, &x, &mut light, &mut state, work)?;
         }
@@ -211,7 +213,7 @@ impl DoseModel for Printing {
             back: self.unread(&state, cotangent),
             of_energy: of_energy.collect::<Result<_>>()?,
         };
-        for (segment, mut state) in kept.into_iter().enumerate().rev() {
+        for (segment, mut state) in checkpoints.into_iter().enumerate().rev() {
             let blocks = &self.blocks[segment * stride..];
             let blocks = &blocks[..stride.min(blocks.len())];
             let mut states = Vec::new();

@@ -122,11 +122,11 @@ impl Stage {
                     if u > 0.0 && l > 0.0 {
                         let x = rate * u / l;
                         let (mean, slope) = mean_exponential(x);
-                        let kept = (-x).exp();
+                        let left = (-x).exp();
                         let dp = cotangent[share][i];
-                        cotangent[share][i] = dp * kept + *du * u / l * mean;
+                        cotangent[share][i] = dp * left + *du * u / l * mean;
                         // d(u·mean)/du = mean + x·slope
-                        *du = *du * p / l * (mean + x * slope) - dp * p * kept * rate / l;
+                        *du = *du * p / l * (mean + x * slope) - dp * p * left * rate / l;
                     }
                 }
             }
@@ -169,14 +169,14 @@ impl Stage {
                 let there = before[at].iter().zip(cotangent[at].iter_mut());
                 for ((&u, du), (&c, dc)) in u.iter().zip(du).zip(there) {
                     let k = progress(u, rate, exponent, seconds);
-                    let kept = (-k).exp();
+                    let left = (-k).exp();
                     // The slope of a root at no light at all is left out
                     *du = if u > 0.0 {
-                        *dc * (1.0 - c) * kept * exponent * k / u
+                        *dc * (1.0 - c) * left * exponent * k / u
                     } else {
                         0.0
                     };
-                    *dc *= kept;
+                    *dc *= left;
                 }
             }
         }
@@ -315,23 +315,23 @@ mod tests {
                 let mut views: Vec<&mut [f32]> = c.iter_mut().map(Vec::as_mut_slice).collect();
                 let mut du = [weights[2]];
                 stage.pullback(&before, &[u], &mut views, &mut du, 2.0);
-                let close = |difference: f64, exact: f32, of: &str| {
+                let close = |difference: f64, exact: f32, what: &str| {
                     let exact = f64::from(exact);
                     assert!(
                         (difference - exact).abs() < 2e-3 * (1.0 + exact.abs()),
-                        "{stage:?} at {u}, by {of}: {difference} {exact}"
+                        "{stage:?} at {u}, by {what}: {difference} {exact}"
                     );
                 };
                 let h = 2e-3f32;
                 let by_u = (value(&states, u + h) - value(&states, u - h)) / f64::from(2.0 * h);
                 close(by_u, du[0], "u");
                 // L is a constant
-                let own = if matches!(stage, Stage::Bleach { .. }) {
+                let count = if matches!(stage, Stage::Bleach { .. }) {
                     1
                 } else {
                     states.len()
                 };
-                for i in 0..own {
+                for i in 0..count {
                     let moved = |h: f32| {
                         let mut states = states.clone();
                         states[i] += h;

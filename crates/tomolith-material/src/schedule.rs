@@ -286,10 +286,10 @@ impl Schedule {
         self.sums(light, |e| e.seconds * e.irradiance_mw_per_mm2)
     }
 
-    fn sums(&self, light: usize, of: impl Fn(&Exposure) -> f64) -> Vec<f64> {
+    fn sums(&self, light: usize, amount_of: impl Fn(&Exposure) -> f64) -> Vec<f64> {
         let mut sums = vec![0.0; self.frames[light]];
-        let own = self.exposures.iter().filter(|e| e.light == light);
-        own.for_each(|e| sums[e.frame] += of(e));
+        let exposures = self.exposures.iter().filter(|e| e.light == light);
+        exposures.for_each(|e| sums[e.frame] += amount_of(e));
         sums
     }
 

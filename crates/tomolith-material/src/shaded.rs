@@ -103,8 +103,10 @@ impl Shaded {
                         let Some(j) = j.filter(|j| *j < traversal.across) else {
                             continue;
                         };
-                        let own = &excess[traversal.column(step, j) * row..][..row];
-                        for ((behind, middle), mu) in behind.iter_mut().zip(&mut *middle).zip(own) {
+                        let column = &excess[traversal.column(step, j) * row..][..row];
+                        for ((behind, middle), mu) in
+                            behind.iter_mut().zip(&mut *middle).zip(column)
+                        {
                             *middle += weight * mu;
                             *behind += 2.0 * weight * mu;
                         }
@@ -271,17 +273,17 @@ impl DoseModel for Shaded {
         grad: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        let mut own = cotangent.zeros_like();
+        let mut frame_cotangent = cotangent.zeros_like();
         for frame in frames {
             work.check()?;
-            own.fill(0.0);
+            frame_cotangent.fill(0.0);
             self.weaken(
                 self.azimuth(frame),
                 cotangent.as_slice(),
-                own.as_mut_slice(),
+                frame_cotangent.as_mut_slice(),
             );
             self.model
-                .pullback_of(frame..frame + 1, x, &own, grad, &work.aside())?;
+                .pullback_of(frame..frame + 1, x, &frame_cotangent, grad, &work.aside())?;
         }
         Ok(())
     }
@@ -293,13 +295,17 @@ impl DoseModel for Shaded {
         dose: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        let mut own = dose.zeros_like();
+        let mut frame_dose = dose.zeros_like();
         for frame in frames {
             work.check()?;
-            own.fill(0.0);
+            frame_dose.fill(0.0);
             self.model
-                .dose_of(frame..frame + 1, x, &mut own, &work.aside())?;
-            self.weaken(self.azimuth(frame), own.as_slice(), dose.as_mut_slice());
+                .dose_of(frame..frame + 1, x, &mut frame_dose, &work.aside())?;
+            self.weaken(
+                self.azimuth(frame),
+                frame_dose.as_slice(),
+                dose.as_mut_slice(),
+            );
         }
         Ok(())
     }

@@ -109,12 +109,12 @@ pub(super) fn count_share(labels: &[u8], response: &[f32], blocks: &Steps<'_>) -
             blocks.add(1);
             let mut sums = [Sums::EMPTY; 2];
             for (class, run) in runs(labels) {
-                let mut own = sums[class];
+                let mut class_sums = sums[class];
                 for &value in &values[run] {
                     table[(key(value) >> FINE_BITS) as usize][class] += 1;
-                    own.add(value);
+                    class_sums.add(value);
                 }
-                sums[class] = own;
+                sums[class] = class_sums;
             }
             sums
         })

@@ -73,8 +73,8 @@ impl ErrorHistogram {
             let ends = [half_width + k * window, half_width + (k + 1.0) * window];
             self.within(ends) + self.within([-ends[1], -ends[0]])
         };
-        let beside = at(-3.0).max(at(2.0));
-        (beside > 0.0).then(|| at(-1.0).max(at(0.0)) / beside)
+        let background = at(-3.0).max(at(2.0));
+        (background > 0.0).then(|| at(-1.0).max(at(0.0)) / background)
     }
 
     /// Voxels between two errors; a bin that an end divides counts by its part.

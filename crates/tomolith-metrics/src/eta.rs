@@ -47,12 +47,12 @@ mod tests {
     fn is_mean_over_maximum() {
         let (labels, response) = (row(&[]), row(&[]));
         let print = || Print::new(&labels, &response).unwrap();
-        let of = |sum, max| {
+        let eta_of = |sum, max| {
             let pixels = 8;
             measure(&print().with_patterns(PatternStats { pixels, sum, max }))
         };
-        assert_eq!(of(6.0, 3.0), Some(0.25));
-        assert_eq!(of(0.0, 0.0), None);
+        assert_eq!(eta_of(6.0, 3.0), Some(0.25));
+        assert_eq!(eta_of(0.0, 0.0), None);
         assert_eq!(measure(&print()), None);
     }
 }

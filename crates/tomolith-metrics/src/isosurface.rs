@@ -268,10 +268,9 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
         k: usize,
         plane: &mut Plane,
         first: u32,
-        corners: Option<&mut Vec<[f32; 3]>>,
+        mut corners: Option<&mut Vec<[f32; 3]>>,
     ) {
         let (w, h) = (self.width, self.height);
-        let mut own = corners;
         let mut next = first;
         for along in &mut plane.along {
             along.resize(w * h, 0);
@@ -288,7 +287,7 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
                     let i = row + x;
                     plane.along[axis][i] = next;
                     next += 1;
-                    if let Some(corners) = own.as_mut() {
+                    if let Some(corners) = corners.as_mut() {
                         let f = self.fraction(plane.values[i], plane.values[i + step]);
                         corners.push(self.position([x, y, k], axis, f));
                     }
@@ -335,8 +334,8 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
                 });
             }
             let number = next(&surface);
-            let own = (k + 1 < end || last == Last::Own).then_some(&mut surface.corners);
-            self.number_flat(k + 1, &mut high, number, own);
+            let corners = (k + 1 < end || last == Last::Own).then_some(&mut surface.corners);
+            self.number_flat(k + 1, &mut high, number, corners);
             self.cells(&low, &high, &upright, &mut surface.triangles);
             std::mem::swap(&mut low, &mut high);
         }

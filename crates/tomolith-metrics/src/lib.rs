@@ -182,7 +182,10 @@ under_mm3 | O1 | none | no voxel that counts
             let (labels, response): (Vec<u8>, Vec<f32>) = voxels
                 .map(|(label, response)| {
                     let labels = [("P", PART), ("V", VOID), ("O", OUTSIDE)];
-                    let (_, label) = labels.into_iter().find(|(of, _)| *of == label).unwrap();
+                    let (_, label) = labels
+                        .into_iter()
+                        .find(|(letter, _)| *letter == label)
+                        .unwrap();
                     (label, response.parse::<f32>().unwrap())
                 })
                 .unzip();

@@ -33,11 +33,11 @@ struct Leaf([[f32x4; 3]; 3]);
 impl Leaf {
     /// One to four triangles; the last one fills what lanes are left.
     fn new(triangles: &[[Point; 3]]) -> Self {
-        let of = |corner: usize, axis: usize| {
+        let lanes_of = |corner: usize, axis: usize| {
             let last = triangles.len() - 1;
             std::array::from_fn(|lane: usize| triangles[lane.min(last)][corner][axis])
         };
-        Leaf([0, 1, 2].map(|corner| [0, 1, 2].map(|axis| f32x4::new(of(corner, axis)))))
+        Leaf([0, 1, 2].map(|corner| [0, 1, 2].map(|axis| f32x4::new(lanes_of(corner, axis)))))
     }
 
     /// The smallest squared distance from a point to a triangle.

@@ -182,7 +182,7 @@ struct Reference {
 
 impl TargetSurface {
     /// On voxels that are averaged so far; None where it has more than `most` corners.
-    fn of(
+    fn reference(
         &self,
         print: &Print<'_>,
         coarsened: usize,
@@ -190,8 +190,9 @@ impl TargetSurface {
         work: &Work,
     ) -> Option<Arc<Reference>> {
         let mut made = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_same =
-            |own: &&Arc<Reference>| own.coarsened == coarsened && own.surface.corners.len() <= most;
+        let is_same = |reference: &&Arc<Reference>| {
+            reference.coarsened == coarsened && reference.surface.corners.len() <= most
+        };
         if let Some(found) = made.as_ref().filter(is_same) {
             return Some(found.clone());
         }
@@ -229,7 +230,8 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let (printed, target) = loop {
         let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
         let printed = surface(grid, coarsened, threshold, fill, most, &work.part(FINDING));
-        let target = || (print.target_surface()).of(print, coarsened, most, &work.part(FINDING));
+        let target =
+            || (print.target_surface()).reference(print, coarsened, most, &work.part(FINDING));
         if let Some(both) = printed.and_then(|printed| Some((printed, target()?))) {
             break both;
         }
@@ -416,9 +418,9 @@ fn place(i: usize, step: usize) -> usize {
 
 /// For one of every `step` corners of `from`: the distance to the triangles of a tree, mm, and its share of the area, mm².
 fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, work: &Work) -> Vec<(f32, f64)> {
-    let own = 0..from.corners.len() / step;
-    let own: Vec<usize> = own.map(|i| place(i, step)).collect();
-    let runs = work.steps(own.len().div_ceil(RUN));
+    let corners = 0..from.corners.len() / step;
+    let corners: Vec<usize> = corners.map(|i| place(i, step)).collect();
+    let runs = work.steps(corners.len().div_ceil(RUN));
     let areas = table(from.triangles.len(), |i| from.area_of(i) / 3.0);
     let mut weights = vec![0.0; from.corners.len()];
     for (triangle, area) in from.triangles.iter().zip(areas) {
@@ -426,15 +428,16 @@ fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, work: &Work) -
             weights[corner as usize] += area;
         }
     }
-    own.chunks(RUN)
-        .par_map(|own| {
+    corners
+        .chunks(RUN)
+        .par_map(|corners| {
             runs.add(1);
             let mut found = Vec::new();
             if runs.is_canceled() {
                 return found;
             }
             let mut before: Option<([f32; 3], f32)> = None;
-            for &i in own {
+            for &i in corners {
                 let (p, weight) = (from.corners[i], weights[i]);
                 let bound = before.map_or(f32::INFINITY, |(q, d)| {
                     let step: f32 = (0..3).map(|i| (p[i] - q[i]).powi(2)).sum();

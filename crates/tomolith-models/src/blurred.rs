@@ -22,7 +22,11 @@ pub(crate) fn widened(lights: &[Light]) -> Vec<Light> {
         if let (Some(spread), Some(active)) = (&light.point_spread, &light.active) {
             let size = [light.pixels.columns, light.pixels.rows];
             let frames = active.chunks(size[0].max(1));
-            wide.active = Some(frames.flat_map(|own| dilated(own, spread, size)).collect());
+            wide.active = Some(
+                frames
+                    .flat_map(|frame| dilated(frame, spread, size))
+                    .collect(),
+            );
         }
         wide
     };
@@ -36,7 +40,7 @@ fn dilated(
     [columns, rows]: [usize; 2],
 ) -> Vec<(u32, u32)> {
     let reach = spread.reach();
-    let of = |column: usize| {
+    let run_of = |column: usize| {
         let near = column.saturating_sub(reach[0])..(column + reach[0] + 1).min(columns);
         let lit = || active[near.clone()].iter().filter(|run| run.1 > 0);
         let bottom = lit().map(|run| run.0).min();
@@ -47,7 +51,7 @@ fn dilated(
             (bottom, top - bottom)
         })
     };
-    (0..columns).map(of).collect()
+    (0..columns).map(run_of).collect()
 }
 
 /// B of every light; see the [module page](self).
@@ -94,15 +98,15 @@ impl Spreads {
         to: &mut [f32],
         sign: isize,
     ) {
-        for (light, own) in own_frames(&self.patterns, frames) {
+        for (light, light_frames) in own_frames(&self.patterns, frames) {
             let (plain, lit) = (&self.patterns[light], &lit[light]);
             let (source, sink) = if sign > 0 { (plain, lit) } else { (lit, plain) };
-            let elements = sink.elements_of(own.clone());
+            let elements = sink.elements_of(light_frames.clone());
             let Some(spread) = &self.lights[light] else {
-                to[elements].copy_from_slice(&from[source.elements_of(own)]);
+                to[elements].copy_from_slice(&from[source.elements_of(light_frames)]);
                 continue;
             };
-            let images = sink.split_frames(own, &mut to[elements]);
+            let images = sink.split_frames(light_frames, &mut to[elements]);
             images.into_iter().par_each(|(frame, image)| {
                 let carried = Carried {
                     source,
@@ -117,11 +121,11 @@ impl Spreads {
 
     /// What to add to the description of a model.
     pub(crate) fn describe(&self) -> String {
-        let of = |spread: &Arc<PointSpread>| {
+        let text_of = |spread: &Arc<PointSpread>| {
             let [columns, rows] = spread.reach().map(|n| 2 * n + 1);
             format!(", spread over {columns} × {rows} pixels")
         };
-        self.lights.iter().flatten().map(of).collect()
+        self.lights.iter().flatten().map(text_of).collect()
     }
 }
 
@@ -142,8 +146,8 @@ impl Carried<'_> {
         let mut rest = image;
         for column in 0..columns {
             let count = self.sink.runs[frame * columns + column].count as usize;
-            let own;
-            (own, rest) = rest.split_at_mut(count);
+            let pixels;
+            (pixels, rest) = rest.split_at_mut(count);
             for along in -reach..=reach {
                 let Some(other) = column.checked_add_signed(-along) else {
                     continue;
@@ -153,7 +157,7 @@ impl Carried<'_> {
                         [frame * columns + column, frame * columns + other],
                         along,
                         from,
-                        own,
+                        pixels,
                     );
                 }
             }
@@ -161,7 +165,7 @@ impl Carried<'_> {
     }
 
     /// Adds what the light of one column brings to another, so many columns further.
-    fn column(&self, [to, other]: [usize; 2], along: isize, from: &[f32], own: &mut [f32]) {
+    fn column(&self, [to, other]: [usize; 2], along: isize, from: &[f32], pixels: &mut [f32]) {
         let (sink, source) = (self.sink.runs[to], self.source.runs[other]);
         let lit = &from[source.offset..][..source.count as usize];
         let reach = self.spread.reach()[1] as isize;
@@ -171,10 +175,10 @@ impl Carried<'_> {
             let share = self.spread.at(-self.sign * up, self.sign * along);
             let first = begin + up;
             let (skipped, at) = ((-first).max(0) as usize, first.max(0) as usize);
-            let (Some(lit), Some(own)) = (lit.get(skipped..), own.get_mut(at..)) else {
+            let (Some(lit), Some(pixels)) = (lit.get(skipped..), pixels.get_mut(at..)) else {
                 continue;
             };
-            for (sum, value) in own.iter_mut().zip(lit) {
+            for (sum, value) in pixels.iter_mut().zip(lit) {
                 *sum += share * value;
             }
         }
@@ -266,8 +270,8 @@ mod tests {
         x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
         let mut y = plain.new_patterns().unwrap();
         assert!(x.len() < y.len() / 2);
-        for (i, (own, all)) in blurred.patterns().iter().zip(plain.patterns()).enumerate() {
-            let images = own.patterns_of(x.as_slice());
+        for (i, (lit, all)) in blurred.patterns().iter().zip(plain.patterns()).enumerate() {
+            let images = lit.patterns_of(x.as_slice());
             let images = if i == 1 {
                 spread_images(&images)
             } else {
@@ -278,8 +282,8 @@ mod tests {
         let (found, expected) = (check::dose(&blurred, &x), check::dose(&plain, &y));
         let (found, expected) = (found.as_slice(), expected.as_slice());
         assert!(check::difference(found, expected) < 1e-5);
-        for (own, all) in blurred.patterns().iter().zip(plain.patterns()) {
-            all.fill_field(&own.patterns_of(x.as_slice()), y.as_mut_slice());
+        for (lit, all) in blurred.patterns().iter().zip(plain.patterns()) {
+            all.fill_field(&lit.patterns_of(x.as_slice()), y.as_mut_slice());
         }
         let unspread = check::dose(&plain, &y);
         assert!(check::difference(unspread.as_slice(), expected) > 0.05);

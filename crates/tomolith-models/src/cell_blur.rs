@@ -131,7 +131,7 @@ impl Sharpen {
         let mut sharp = field.to_vec();
         lines(&mut sharp[self.layout.range()], row, |i, line| {
             let (y, x) = (i / nx, i % nx);
-            let (own, is_full) = (&field[i * row..][..nz], &self.is_full[i * row..][..nz]);
+            let (cells, is_full) = (&field[i * row..][..nz], &self.is_full[i * row..][..nz]);
             let mut take = |from: Option<usize>, strength: f32| {
                 let Some(from) = from else {
                     return;
@@ -142,7 +142,7 @@ impl Sharpen {
                 );
                 for k in 0..nz {
                     let is_open = f32::from(u8::from(is_full[k] & also[k]));
-                    line[k] += is_open * strength * (own[k] - other[k]);
+                    line[k] += is_open * strength * (cells[k] - other[k]);
                 }
             };
             take((x > 0).then(|| i - 1), along_x);
@@ -151,7 +151,7 @@ impl Sharpen {
             take((y + 1 < ny).then_some(i + nx), along_y);
             for k in 1..nz {
                 let is_open = f32::from(u8::from(is_full[k - 1] & is_full[k]));
-                let step = is_open * along_z * (own[k - 1] - own[k]);
+                let step = is_open * along_z * (cells[k - 1] - cells[k]);
                 line[k - 1] += step;
                 line[k] -= step;
             }

@@ -103,7 +103,7 @@ impl MaskedModel {
             self.dark = dark;
         } else {
             let pairs = self.dark.iter_mut().zip(dark);
-            pairs.for_each(|(own, more)| *own |= more);
+            pairs.for_each(|(dark, more)| *dark |= more);
         }
         self
     }
@@ -286,8 +286,8 @@ impl DoseModel for MaskedModel {
 
 impl MaskedModel {
     fn own_regions(&self) -> &dyn Regions<HostField> {
-        let own = self.model.regions();
-        own.expect("a model that is asked for its regions has some")
+        let regions = self.model.regions();
+        regions.expect("a model that is asked for its regions has some")
     }
 }
 
@@ -296,8 +296,8 @@ impl Regions<HostField> for MaskedModel {
         self.own_regions().count()
     }
 
-    fn least(&self, of: &ByElement) -> Vec<f32> {
-        self.own_regions().least(of)
+    fn least(&self, value_of: &ByElement) -> Vec<f32> {
+        self.own_regions().least(value_of)
     }
 
     fn holds_any(&self, field: &HostField, chosen: &[bool]) -> Vec<bool> {

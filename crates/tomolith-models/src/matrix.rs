@@ -174,9 +174,9 @@ impl Rows {
         let before = |end: usize| {
             self.offsets[all.clone()].partition_point(|&offset| (offset as usize) < end)
         };
-        let own = all.start + before(range.start)..all.start + before(range.end);
-        let offsets = self.offsets[own.clone()].iter().map(|&o| o as usize);
-        offsets.zip(self.values[own].iter().copied())
+        let part = all.start + before(range.start)..all.start + before(range.end);
+        let offsets = self.offsets[part.clone()].iter().map(|&o| o as usize);
+        offsets.zip(self.values[part].iter().copied())
     }
 
     /// Adds row `i` to `out`; one lane is summed in f64.
@@ -496,8 +496,9 @@ impl Places<'_> {
         let pairs: usize = (0..ordered.rows())
             .map(|row| {
                 let range = ordered.starts[row]..ordered.starts[row + 1];
-                let own = &ordered.indices[range];
-                own.chunk_by(|&a, &b| frame_of[a as usize] == frame_of[b as usize])
+                let pixels = &ordered.indices[range];
+                pixels
+                    .chunk_by(|&a, &b| frame_of[a as usize] == frame_of[b as usize])
                     .count()
             })
             .sum();
@@ -613,20 +614,20 @@ mod tests {
             model.new_patterns().unwrap(),
             matrix.new_patterns().unwrap(),
         );
-        for (i, (own, other)) in matrix.patterns().iter().zip(model.patterns()).enumerate() {
-            let mut images = tomolith_core::grid::Patterns::dark(own.grid.clone());
+        for (i, (layout, other)) in matrix.patterns().iter().zip(model.patterns()).enumerate() {
+            let mut images = tomolith_core::grid::Patterns::dark(layout.grid.clone());
             images.values = check::noise(3 + i as u64, images.values.len());
             other.fill_field(&images, x.as_mut_slice());
-            own.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
+            layout.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
             patterns.push(images);
         }
         let (a, b) = (check::dose(model, &x), check::dose(matrix, &y));
         assert!(difference(b.as_slice(), a.as_slice()) < 1e-6);
         let (x, y) = (check::adjoint(model, &a), check::adjoint(matrix, &a));
-        for (own, other) in matrix.patterns().iter().zip(model.patterns()) {
+        for (layout, other) in matrix.patterns().iter().zip(model.patterns()) {
             let (a, b) = (
                 other.patterns_of(x.as_slice()),
-                own.patterns_of(y.as_slice()),
+                layout.patterns_of(y.as_slice()),
             );
             assert!(difference(&b.values, &a.values) < 1e-6);
         }

@@ -506,16 +506,19 @@ mod tests {
             (None, &milk, "successive_orders (rays, 16 per pixel"),
             (Some(&scatter), &milk, "monte_carlo, 64 per pixel"),
         ] {
-            let of = |purpose| {
+            let plan_of = |purpose| {
                 let scene = OpticalScene {
                     purpose,
                     ..around(optics, None)
                 };
                 planned(asked, scene, light.clone())
             };
-            let [own, probe] = [Purpose::Optimize, Purpose::Probe].map(of);
-            assert!(own.contains(", 4 per pixel") && own == probe, "{own}");
-            let found = of(Purpose::Evaluate { refine: 2 });
+            let [optimize, probe] = [Purpose::Optimize, Purpose::Probe].map(plan_of);
+            assert!(
+                optimize.contains(", 4 per pixel") && optimize == probe,
+                "{optimize}"
+            );
+            let found = plan_of(Purpose::Evaluate { refine: 2 });
             assert!(found.starts_with(sharp), "{found}");
         }
         let redrawn = scatter.monte_carlo_paths().unwrap();

@@ -29,10 +29,10 @@ pub fn joined(first: SharedModel, others: Vec<HostModel>) -> Result<Several> {
     let refuse = |reason: &str| Error::unsupported("a scenario", reason);
     let mut outputs: Vec<DoseLayout> = Vec::with_capacity(models.len());
     for model in &models {
-        let [own] = model.outputs() else {
+        let [layout] = model.outputs() else {
             return Err(refuse("its model has several outputs"));
         };
-        let is_same = |other: &DoseLayout| other.grid == own.grid && other.len() == own.len();
+        let is_same = |other: &DoseLayout| other.grid == layout.grid && other.len() == layout.len();
         if !outputs.first().is_none_or(is_same) {
             return Err(refuse("its voxels are not those of the job"));
         }
@@ -46,7 +46,7 @@ pub fn joined(first: SharedModel, others: Vec<HostModel>) -> Result<Several> {
         let offset = outputs.last().map_or(0, |last| last.range().end);
         outputs.push(DoseLayout {
             offset,
-            ..own.clone()
+            ..layout.clone()
         });
     }
     let one = |row: usize| {
@@ -117,9 +117,9 @@ mod tests {
         let images = joint.patterns()[0].patterns_of(x.as_slice());
         let alone = models();
         for (model, layout) in alone.iter().zip(joint.outputs()) {
-            let mut own = model.new_patterns().unwrap();
-            model.patterns()[0].fill_field(&images, own.as_mut_slice());
-            let q = check::dose(&**model, &own);
+            let mut patterns = model.new_patterns().unwrap();
+            model.patterns()[0].fill_field(&images, patterns.as_mut_slice());
+            let q = check::dose(&**model, &patterns);
             assert_eq!(q.as_slice(), &dose.as_slice()[layout.range()]);
         }
         assert!(alone[2].new_patterns().unwrap().len() < x.len());

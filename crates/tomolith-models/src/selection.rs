@@ -85,15 +85,15 @@ pub fn chosen(
             continue;
         }
         // Of the pixels that may be lit the best one is the measure
-        let own = layout.range();
-        let light = chosen[own.clone()].iter().zip(own.clone());
+        let range = layout.range();
+        let light = chosen[range.clone()].iter().zip(range.clone());
         let best = light
             .map(|(&chosen, i)| if chosen { brought(i) } else { 0.0 })
             .fold(0.0, f32::max);
         let least = (f64::from(best) * selection.min_contribution) as f32;
         if least > 0.0 {
-            let first = own.start;
-            elements(&mut chosen[own], |i, chosen| {
+            let first = range.start;
+            elements(&mut chosen[range], |i, chosen| {
                 *chosen &= brought(first + i) >= least
             });
         }
@@ -105,9 +105,9 @@ pub fn chosen(
 #[must_use]
 pub fn rows_of(patterns: &[PatternLayout], chosen: &[bool]) -> Vec<Vec<(u32, u32)>> {
     let rows = |run: &PixelRun| {
-        let own = &chosen[run.offset..][..run.count as usize];
-        let first = own.iter().position(|&c| c);
-        let last = own.iter().rposition(|&c| c);
+        let pixels = &chosen[run.offset..][..run.count as usize];
+        let first = pixels.iter().position(|&c| c);
+        let last = pixels.iter().rposition(|&c| c);
         first
             .zip(last)
             .map_or((0, 0), |(a, b)| (run.bottom + a as u32, (b - a + 1) as u32))
@@ -148,8 +148,8 @@ pub(super) fn narrow(
         let runs = layout.runs.iter().zip(&rows);
         for (run, &(bottom, count)) in runs.filter(|(_, r)| any && r.1 > 0) {
             let first = run.offset + (bottom - run.bottom) as usize;
-            let own = &chosen[first..first + count as usize];
-            dark.extend(own.iter().map(|&chosen| is_any && !chosen));
+            let pixels = &chosen[first..first + count as usize];
+            dark.extend(pixels.iter().map(|&chosen| is_any && !chosen));
         }
         light.active = Some(rows);
     }
@@ -257,10 +257,10 @@ mod tests {
             // Light of a pixel that may not be lit has no effect
             let x = check::even_patterns(&masked.model, 1.0);
             assert_eq!(masked.dark.len(), x.len());
-            let mut kept = x.clone();
-            super::super::masked::darken(kept.as_mut_slice(), &masked.dark);
-            assert_ne!(kept.as_slice(), x.as_slice());
-            let [whole, part] = [&x, &kept].map(|x| check::dose(&masked.model, x));
+            let mut darkened = x.clone();
+            super::super::masked::darken(darkened.as_mut_slice(), &masked.dark);
+            assert_ne!(darkened.as_slice(), x.as_slice());
+            let [whole, part] = [&x, &darkened].map(|x| check::dose(&masked.model, x));
             assert_eq!(whole.as_slice(), part.as_slice());
         }
     }

@@ -45,8 +45,9 @@ impl Several {
         let of_model = |(k, lit): (usize, &Range<usize>)| {
             let first = frames_of(&self.patterns[..lit.start]);
             let end = first + frames_of(&self.patterns[lit.clone()]);
-            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
-            (!own.is_empty()).then_some((k, own))
+            let local =
+                frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+            (!local.is_empty()).then_some((k, local))
         };
         self.lit.iter().enumerate().filter_map(of_model)
     }
@@ -55,34 +56,36 @@ impl Several {
     fn each_common(&self, k: usize, mut with: impl FnMut(Range<usize>, Range<usize>)) {
         let joint = self.patterns[self.lit[k].clone()].iter();
         let layouts = joint.zip(self.models[k].patterns());
-        for (joint, own) in layouts.flat_map(|(joint, own)| joint.runs.iter().zip(&own.runs)) {
-            let begin = joint.bottom.max(own.bottom);
-            let end = (joint.bottom + joint.count).min(own.bottom + own.count);
+        for (joint, single) in
+            layouts.flat_map(|(joint, single)| joint.runs.iter().zip(&single.runs))
+        {
+            let begin = joint.bottom.max(single.bottom);
+            let end = (joint.bottom + joint.count).min(single.bottom + single.count);
             if begin < end {
-                let of = |run: &PixelRun| {
+                let pixels_of = |run: &PixelRun| {
                     let first = run.offset + (begin - run.bottom) as usize;
                     first..first + (end - begin) as usize
                 };
-                with(of(joint), of(own));
+                with(pixels_of(joint), pixels_of(single));
             }
         }
     }
 
     /// The patterns of a model.
     pub(crate) fn shown(&self, k: usize, x: &HostField) -> Result<HostField> {
-        let mut own = self.models[k].new_patterns()?;
+        let mut patterns = self.models[k].new_patterns()?;
         self.each_common(k, |from, to| {
-            own.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
+            patterns.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
         });
-        Ok(own)
+        Ok(patterns)
     }
 
     /// grad += the gradient of a model: the transpose of [`shown`](Self::shown).
-    fn gather(&self, k: usize, own: &HostField, grad: &mut HostField) {
+    fn gather(&self, k: usize, back: &HostField, grad: &mut HostField) {
         self.each_common(k, |to, from| {
             let pixels = grad.as_mut_slice()[to].iter_mut();
-            let own = &own.as_slice()[from];
-            pixels.zip(own).for_each(|(grad, own)| *grad += own);
+            let back = &back.as_slice()[from];
+            pixels.zip(back).for_each(|(grad, back)| *grad += back);
         });
     }
 
@@ -155,9 +158,9 @@ impl DoseModel for Several {
         work: &Work,
     ) -> Result<()> {
         let mut q = self.models[0].new_dose()?;
-        for (k, own) in self.parts(&frames) {
+        for (k, local) in self.parts(&frames) {
             q.fill(0.0);
-            self.models[k].dose_of(own, &self.shown(k, x)?, &mut q, &self.part(work))?;
+            self.models[k].dose_of(local, &self.shown(k, x)?, &mut q, &self.part(work))?;
             self.add(k, &q, dose);
         }
         Ok(())
@@ -175,11 +178,11 @@ impl DoseModel for Several {
             grad.as_mut_slice()[range].fill(0.0);
         }
         let mut c = self.models[0].new_dose()?;
-        for (k, own) in self.parts(&frames) {
+        for (k, local) in self.parts(&frames) {
             self.split(k, cotangent, &mut c);
             let (model, part) = (&self.models[k], self.part(work));
             let mut back = model.new_patterns()?;
-            model.pullback_of(own, &self.shown(k, x)?, &c, &mut back, &part)?;
+            model.pullback_of(local, &self.shown(k, x)?, &c, &mut back, &part)?;
             self.gather(k, &back, grad);
         }
         Ok(())

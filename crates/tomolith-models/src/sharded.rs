@@ -107,8 +107,8 @@ impl DoseModel for Sharded {
     }
 
     fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
-        let own = self.model.along(x, d, work);
-        let mut curve = together(self.ranks.as_ref(), own)?;
+        let local = self.model.along(x, d, work);
+        let mut curve = together(self.ranks.as_ref(), local)?;
         for coefficient in curve.iter_mut().flatten() {
             self.ranks.all_reduce_f32(coefficient.as_mut_slice());
         }

@@ -36,7 +36,7 @@ use tomolith_core::error::{Error, Result};
 /// # Panics
 /// When there is no light.
 pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<Several> {
-    let own = lights[0].outputs()[0].clone();
+    let first = lights[0].outputs()[0].clone();
     for light in &lights {
         let [layout] = light.outputs() else {
             return Err(Error::unsupported(
@@ -50,10 +50,10 @@ pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<S
                 "several species have several surfaces; whole voxels",
             ));
         }
-        if layout.grid != own.grid {
+        if layout.grid != first.grid {
             return Err(Error::shape(
                 "voxels of each light",
-                own.grid.shape,
+                first.grid.shape,
                 layout.grid.shape,
             ));
         }
@@ -70,7 +70,7 @@ pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<S
         let offset = outputs
             .last()
             .map_or(0, |last: &DoseLayout| last.range().end);
-        outputs.push(DoseLayout::new(name, own.grid.clone(), offset));
+        outputs.push(DoseLayout::new(name, first.grid.clone(), offset));
     }
     let mut offset = 0;
     let mut patterns = Vec::with_capacity(lights.len());
@@ -147,8 +147,8 @@ mod tests {
             .map(|i| {
                 let light = model.of_light(i).unwrap();
                 let mut q = light.new_dose().unwrap();
-                let own = model.shown(i, &x).unwrap();
-                light.dose(&own, &mut q, &work).unwrap();
+                let patterns = model.shown(i, &x).unwrap();
+                light.dose(&patterns, &mut q, &work).unwrap();
                 q
             })
             .collect();

@@ -175,20 +175,20 @@ fn remainder(
         *v = (0.5 + 0.5 * v.abs()).copysign(sign);
     }
     let ends = [REACH, -REACH].map(|h| gradient_at(objective, &moved(dose, &step, h)).1);
-    let mut kept = 0;
+    let mut smooth = 0;
     for (i, v) in step.as_mut_slice().iter_mut().enumerate() {
         let [before, here, after] = [&ends[1], &gradient, &ends[0]].map(|g| g.as_slice()[i]);
         // Where the slope is smooth it changes evenly; at an edge all of the change is on one side
         let uneven = (after - 2.0 * here + before).abs();
         if uneven <= 0.3 * (after - before).abs() + 1e-5 * here.abs() {
-            kept += 1;
+            smooth += 1;
         } else {
             *v = 0.0;
         }
     }
-    if kept * 2 < dose.len() {
+    if smooth * 2 < dose.len() {
         return Err(format!(
-            "only {kept} of {} voxels keep away from an edge: choose another dose",
+            "only {smooth} of {} voxels keep away from an edge: choose another dose",
             dose.len()
         ));
     }

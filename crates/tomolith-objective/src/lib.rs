@@ -308,7 +308,7 @@ mod tests {
     fn every_row_takes_another_response() {
         let model = SmallModel::new(18, 2, 21);
         let dose = some_dose(model.layout());
-        let [own, other]: [Arc<dyn Response>; 2] = [
+        let [identity, other]: [Arc<dyn Response>; 2] = [
             Arc::new(Identity),
             Arc::new(Logistic::new(Default::default()).unwrap()),
         ];
@@ -318,7 +318,7 @@ mod tests {
                 let made = check::of_ring(&model, row.name, parameters, Arc::clone(response));
                 Sum::new(vec![(2.0, made)]).unwrap()
             };
-            let mut changed = make(&own);
+            let mut changed = make(&identity);
             let first = changed.value(&dose);
             changed.set_response(&other).unwrap();
             assert_eq!(
@@ -488,16 +488,16 @@ l2n | {"lower": 0.7, "upper": 0.9} | [0.5, 1, 0.9, 0.5] | 0.25 | [-0.8, 0.2, 0.4
     fn doses_up_to_the_threshold_of_the_void_are_harmless() {
         // Void, part, and a voxel that the surface halves
         let room = Room::row(&[0.0, 1.0, 0.5], false);
-        let of = |kind, json| {
+        let limits_of = |kind, json| {
             let objective = room.build(kind, json);
             let harmless = objective.harmless().unwrap();
             [0, 1, 2].map(harmless)
         };
-        let limits = of("threshold", json!({ "lower": 0.7, "upper": 0.9 }));
+        let limits = limits_of("threshold", json!({ "lower": 0.7, "upper": 0.9 }));
         assert_eq!(limits[..2], [0.7, 0.0]);
         let fraction = json!({ "surface": "fraction", "lower": 0.7, "upper": 0.9 });
-        assert_eq!(of("threshold", fraction), [0.7, 0.0, 0.0]);
-        assert_eq!(of("l2", json!({})), [0.0; 3]);
+        assert_eq!(limits_of("threshold", fraction), [0.7, 0.0, 0.0]);
+        assert_eq!(limits_of("l2", json!({})), [0.0; 3]);
     }
 
     #[test]

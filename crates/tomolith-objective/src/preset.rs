@@ -282,8 +282,8 @@ impl Shares {
         if self.scale.is_empty() {
             self.scale = factors.to_vec();
         } else {
-            let own = self.scale.iter_mut().zip(factors);
-            own.for_each(|(own, factor)| *own *= factor);
+            let pairs = self.scale.iter_mut().zip(factors);
+            pairs.for_each(|(scale, factor)| *scale *= factor);
         }
     }
 }

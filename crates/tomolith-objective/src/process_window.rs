@@ -395,21 +395,22 @@ impl ProcessWindow {
         }
         let outliers = self.params.outliers();
         // Less than a voxel has no tail
-        let at_least_one = |voxels: f64, of: f64| voxels.max(1.0).min(0.5 * of);
+        let at_least_one = |voxels: f64, whole: f64| voxels.max(1.0).min(0.5 * whole);
         let of_part = at_least_one(outliers * part, part);
         let of_void = match self.params.measure {
             WindowMeasure::Pw => at_least_one(outliers * void, void),
             WindowMeasure::Gamma => at_least_one(outliers * part, void),
         };
         self.left_out = [of_part, of_void];
-        self.tails = [(of_part, part), (of_void, void)].map(|(out, of)| (TAIL * out).min(0.5 * of));
+        self.tails =
+            [(of_part, part), (of_void, void)].map(|(out, whole)| (TAIL * out).min(0.5 * whole));
         Ok(())
     }
 
     /// ρ where the range is bounded.
     fn softness_of_range(&self) -> Option<f64> {
-        let of = |ipdr: f64| (SOFTNESS_OF_RANGE * ipdr).clamp(0.001, self.params.softness);
-        self.params.ipdr.map(of)
+        let softness_of = |ipdr: f64| (SOFTNESS_OF_RANGE * ipdr).clamp(0.001, self.params.softness);
+        self.params.ipdr.map(softness_of)
     }
 
     /// Thresholds that are looked for.
@@ -538,18 +539,18 @@ impl ProcessWindow {
     fn end(&self, region: usize, at: impl Fn(usize) -> f64 + Sync) -> f64 {
         let weight = |i: usize| self.shares.weights(i).map_or(0.0, |w| w[region]);
         let blocks = (0..self.elements.len()).step_by(BLOCK);
-        let own = |begin: usize| begin..(begin + BLOCK).min(self.elements.len());
+        let block_of = |begin: usize| begin..(begin + BLOCK).min(self.elements.len());
         let ends = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let of_blocks = blocks.clone().par_map(|begin| {
-            let counted = own(begin).filter(|i| weight(*i) > 0.0);
+            let counted = block_of(begin).filter(|i| weight(*i) > 0.0);
             counted.map(|i| [at(i); 2]).fold(none, ends)
         });
         let [mut low, mut high] = of_blocks.into_iter().fold(none, ends);
         // Blocks are added in one order
         let below = |middle: f64| -> f64 {
             let sums = blocks.clone().par_map(|begin| {
-                let below = own(begin).filter(|i| at(*i) < middle);
+                let below = block_of(begin).filter(|i| at(*i) < middle);
                 below.map(weight).sum::<f64>()
             });
             sums.iter().sum()
@@ -691,8 +692,8 @@ mod tests {
                 ..Params::default()
             };
             let region = |s: f32, sign: f64| -> Vec<f64> {
-                let own = dose.iter().zip(&inside).filter(|(_, own)| **own == s);
-                own.map(|(d, _)| sign * f64::from(*d)).collect()
+                let doses = dose.iter().zip(&inside).filter(|(_, inside)| **inside == s);
+                doses.map(|(d, _)| sign * f64::from(*d)).collect()
             };
             let a = lowest(region(1.0, 1.0), 2.0 * 3.3);
             let b = -lowest(region(0.0, -1.0), 2.0 * of_void);
@@ -707,7 +708,7 @@ mod tests {
     fn a_dose_range_and_a_ceiling_cost_what_the_equation_says() {
         // Half of the part at 0.7, half at 1: a range of 0.3
         let inside: Vec<f32> = (0..100).map(|i| f32::from(i < 50)).collect();
-        let of = |low: f32, high: f32, ipdr: Option<f64>| {
+        let loss_of = |low: f32, high: f32, ipdr: Option<f64>| {
             let params = Params {
                 ipdr,
                 softness: 0.001,
@@ -718,14 +719,14 @@ mod tests {
             let dose: Vec<f32> = dose.collect();
             Objective::<HostField>::value(&window(&inside, params), &HostField::from_slice(&dose))
         };
-        let costs = |ipdr| of(0.7, 1.0, Some(ipdr)) - of(0.7, 1.0, None);
+        let costs = |ipdr| loss_of(0.7, 1.0, Some(ipdr)) - loss_of(0.7, 1.0, None);
         assert!((costs(0.2) - PRICE * 0.1).abs() < 0.03, "{}", costs(0.2));
         assert_eq!(costs(0.31), 0.0);
         // Twice the dose is twice the range, wherever it lies
-        let doubled = of(1.4, 2.0, Some(0.2)) - of(1.4, 2.0, None);
+        let doubled = loss_of(1.4, 2.0, Some(0.2)) - loss_of(1.4, 2.0, None);
         assert!((doubled - PRICE * 0.4).abs() < 0.03, "{doubled}");
         // 0.1 above the ceiling costs 0.1/2ν and widens the window by 0.1; the hinge's corner takes half its softness, 0.01 in all
-        let above = of(1.1, 1.1, None) - of(1.0, 1.0, None);
+        let above = loss_of(1.1, 1.1, None) - loss_of(1.0, 1.0, None);
         let wanted = (0.1 - 0.0005) / (2.0 * Params::default().outliers()) - 0.1;
         assert!((above - wanted).abs() < 1e-6, "{above}");
     }
@@ -751,14 +752,14 @@ mod tests {
                     softness: 0.2,
                     ..Params::default()
                 };
-                let own = window(&inside, params.clone());
-                check::objective(&own, &dose).unwrap();
+                let used = window(&inside, params.clone());
+                check::objective(&used, &dose).unwrap();
                 // A search that begins elsewhere ends at the same bits
                 let fresh = window(&inside, params);
                 for (last, start) in fresh.last.iter().zip([5 << 20, -(7 << 22), -9, 1 << 21]) {
                     last.store(start, Ordering::Relaxed);
                 }
-                let losses = [&own, &fresh].map(|o| Objective::<HostField>::value(o, &dose));
+                let losses = [&used, &fresh].map(|o| Objective::<HostField>::value(o, &dose));
                 assert_eq!(losses[0].to_bits(), losses[1].to_bits());
             }
         }
@@ -769,7 +770,7 @@ mod tests {
         // Ten voxels of the part at 0.5, 0.55, …, 0.95, ten of the void at 0, 0.05, …, 0.45
         let inside: Vec<f32> = (0..20).map(|i| f32::from(i >= 10)).collect();
         let dose: Vec<f32> = (0..20).map(|i| 0.05 * i as f32).collect();
-        let told = |outliers, ipdr| {
+        let window_of = |outliers, ipdr| {
             let params = Params {
                 outliers: Some(outliers),
                 ipdr,
@@ -785,7 +786,7 @@ mod tests {
             (0.1, 0.55, 0.9, 0.4),
             (0.25, 0.6, 0.85, 0.35),
         ] {
-            let found = told(outliers, Some(0.3));
+            let found = window_of(outliers, Some(0.3));
             for (found, expected) in [
                 (found.part_above, low),
                 (found.part_below, high),
@@ -796,7 +797,7 @@ mod tests {
                 near!(found, expected, 1e-6, "{outliers}");
             }
         }
-        let found = told(0.1, Some(0.3));
+        let found = window_of(0.1, Some(0.3));
         // Two voxels are in its tail
         assert!((found.thresholds[1] - 0.55).abs() < 2e-3, "{found:?}");
         let text = found.sentence();
@@ -806,7 +807,7 @@ mod tests {
                 .warning()
                 .is_some_and(|text| text.contains("ipdr = 0.3"))
         );
-        assert_eq!(told(0.1, Some(0.4)).warning(), None);
+        assert_eq!(window_of(0.1, Some(0.4)).warning(), None);
     }
 
     #[test]

@@ -37,7 +37,7 @@ const STEEP: i32 = 8;
 
 impl Join {
     /// The joint loss, and its derivative by each of these.
-    fn of(self, losses: &[f64]) -> (f64, Vec<f64>) {
+    fn value_and_slopes(self, losses: &[f64]) -> (f64, Vec<f64>) {
         let count = losses.len();
         match self {
             Join::Sum => (losses.iter().sum(), vec![1.0; count]),
@@ -88,23 +88,23 @@ impl Objective<HostField> for PerBlock {
         let value =
             |(range, part): &(_, Box<dyn Objective<HostField>>)| part.value(&block(dose, range));
         let losses: Vec<f64> = self.parts.iter().map(value).collect();
-        self.join.of(&losses).0
+        self.join.value_and_slopes(&losses).0
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn value_and_gradient(&self, dose: &HostField, grad: &mut HostField) -> f64 {
         let mut losses = Vec::with_capacity(self.parts.len());
         for (range, part) in &self.parts {
-            let own = block(dose, range);
-            let mut slope = own.zeros_like();
-            losses.push(part.value_and_gradient(&own, &mut slope));
+            let values = block(dose, range);
+            let mut slope = values.zeros_like();
+            losses.push(part.value_and_gradient(&values, &mut slope));
             grad.as_mut_slice()[range.clone()].copy_from_slice(slope.as_slice());
         }
-        let (loss, slopes) = self.join.of(&losses);
+        let (loss, slopes) = self.join.value_and_slopes(&losses);
         for ((range, _), slope) in self.parts.iter().zip(slopes) {
             if slope != 1.0 {
-                let own = grad.as_mut_slice()[range.clone()].iter_mut();
-                own.for_each(|g| *g *= slope as f32);
+                let values = grad.as_mut_slice()[range.clone()].iter_mut();
+                values.for_each(|g| *g *= slope as f32);
             }
         }
         loss
@@ -115,7 +115,7 @@ impl Objective<HostField> for PerBlock {
             part.slope_along(&block(dose, range), &block(step, range), alpha)
         };
         let (losses, rises): (Vec<f64>, Vec<f64>) = self.parts.iter().map(along).unzip();
-        let (loss, slopes) = self.join.of(&losses);
+        let (loss, slopes) = self.join.value_and_slopes(&losses);
         let rise = slopes.iter().zip(&rises).map(|(slope, rise)| slope * rise);
         (loss, rise.sum())
     }
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn the_sum_over_species_passes_the_check_and_each_sees_its_own_block() {
         let model = SmallModel::new(12, 2, 7);
-        let of = |name: &str| {
+        let objective_of = |name: &str| {
             let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
             check::of_ring(&model, name, example(row).value, Arc::new(Identity))
         };
@@ -157,13 +157,23 @@ mod tests {
             offset: first.len(),
             ..first.clone()
         };
-        let joined =
-            |join| PerBlock::new(vec![(&first, of("threshold")), (&second, of("l2"))], join);
+        let joined = |join| {
+            PerBlock::new(
+                vec![
+                    (&first, objective_of("threshold")),
+                    (&second, objective_of("l2")),
+                ],
+                join,
+            )
+        };
         let noise = tomolith_core::check::noise(5, 2 * first.len());
         let dose: Vec<f32> = noise.iter().map(|v| 0.6 + 0.8 * v).collect();
         let field = HostField::from_slice(&dose);
         let [one, two] = [&dose[..first.len()], &dose[first.len()..]].map(HostField::from_slice);
-        let alone = [of("threshold").value(&one), of("l2").value(&two)];
+        let alone = [
+            objective_of("threshold").value(&one),
+            objective_of("l2").value(&two),
+        ];
         let sum: f64 = alone.iter().sum();
         let powers: f64 = alone.iter().map(|l| l.powi(8)).sum();
         let norm = (0.5 * powers).powf(0.125);

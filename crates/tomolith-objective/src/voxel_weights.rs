@@ -182,16 +182,17 @@ impl Common {
     /// # Errors
     /// [`Error::Config`] with the key path of what is unknown or out of range.
     pub fn split(mut section: Section) -> Result<(Common, Section)> {
-        let mut own = serde_json::Map::new();
+        let mut taken = serde_json::Map::new();
         if let Some(map) = section.value.as_object_mut() {
             for key in KEYS {
-                own.extend(map.remove(key).map(|value| (key.to_owned(), value)));
+                taken.extend(map.remove(key).map(|value| (key.to_owned(), value)));
             }
         }
-        if let Some(Value::String(of)) = own.get("region").cloned() {
-            own.insert("region".to_owned(), serde_json::json!({ "of": of }));
+        if let Some(Value::String(region)) = taken.get("region").cloned() {
+            taken.insert("region".to_owned(), serde_json::json!({ "of": region }));
         }
-        let mut common: Common = Section::new(section.path.clone(), Value::Object(own)).parse()?;
+        let mut common: Common =
+            Section::new(section.path.clone(), Value::Object(taken)).parse()?;
         common.validate().map_err(|e| e.under(&section.path))?;
         // What changes nothing must not keep the optimization from finer voxels
         common.region.take_if(|region| is_default(region));
@@ -381,12 +382,13 @@ impl RegionSpec {
             .transpose()?;
         let labels = &ground.labels.values;
         Ok(table(labels.len(), |i| {
-            let of = match self.of {
+            let is_wanted = match self.of {
                 Of::All => true,
                 Of::Part => labels[i] == label::PART,
                 Of::Void => labels[i] == label::VOID,
             };
-            of && holds([self.radius_mm, self.z_mm], grid, i)
+            is_wanted
+                && holds([self.radius_mm, self.z_mm], grid, i)
                 && file.as_ref().is_none_or(|f| f[i] != 0.0)
         }))
     }

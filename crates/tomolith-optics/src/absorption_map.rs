@@ -361,9 +361,9 @@ mod tests {
             center_mm: by,
             ..grid.clone()
         };
-        let [own, other] = [(cells(), grid), (cells().about(by), elsewhere)]
+        let [centered, other] = [(cells(), grid), (cells().about(by), elsewhere)]
             .map(|(map, grid)| map.means(&grid, 9.0).values);
-        let worst = own.iter().zip(&other).map(|(a, b)| (a - b).abs());
+        let worst = centered.iter().zip(&other).map(|(a, b)| (a - b).abs());
         assert!(worst.fold(0.0, f32::max) < 1e-5);
     }
 

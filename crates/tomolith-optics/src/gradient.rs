@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn chords_are_as_long_as_the_curve_allows() {
-        let of = |quadratic_per_mm2: f64, step_mm| {
+        let step_of = |quadratic_per_mm2: f64, step_mm| {
             let params = Params {
                 quadratic_per_mm2,
                 step_mm,
@@ -172,7 +172,7 @@ mod tests {
         };
         // At the wall ρ = 8: κ = 8·1e-3/(1 − 0.064), s = √(8e-3/κ)
         let kappa = 8e-3 / (1.0 - 0.064);
-        assert!((of(-1e-3, None) - (8e-3f64 / kappa).sqrt()).abs() < 1e-12);
-        assert_eq!((of(0.0, None), of(-1e-3, Some(0.3))), (2.0, 0.3));
+        assert!((step_of(-1e-3, None) - (8e-3f64 / kappa).sqrt()).abs() < 1e-12);
+        assert_eq!((step_of(0.0, None), step_of(-1e-3, Some(0.3))), (2.0, 0.3));
     }
 }

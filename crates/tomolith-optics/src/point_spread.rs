@@ -173,7 +173,7 @@ impl PointSpread {
 /// Of every fine pixel across a spread: which of the coarse ones it lies on, and which share of it.
 fn shares(fine: usize, coarse: usize, factor: usize) -> Vec<Vec<(usize, f32)>> {
     let factor = factor as f64;
-    let of = |i: usize| {
+    let shares_of = |i: usize| {
         // In coarse pixels, counted from the lower edge of the first
         let middle = (i as f64 - fine as f64) / factor + coarse as f64 + 0.5;
         let [low, high] = [-0.5, 0.5].map(|half| middle + half / factor);
@@ -181,7 +181,7 @@ fn shares(fine: usize, coarse: usize, factor: usize) -> Vec<Vec<(usize, f32)>> {
         let all = (0..2 * coarse + 1).map(|to| (to, covered(to) as f32));
         all.filter(|(_, share)| *share > 0.0).collect()
     };
-    (0..2 * fine + 1).map(of).collect()
+    (0..2 * fine + 1).map(shares_of).collect()
 }
 
 /// Mean of a profile over the pixel at this place, in pixels from the lit one.
@@ -267,8 +267,11 @@ mod tests {
             ([1, 3], &[1.0, 1.0, f32::NAN], "NaN in row 2, column 0"),
             ([3, 1], &[0.0; 3], "no light"),
         ] {
-            let said = refused(size, values);
-            assert!(said.starts_with("psf") && said.contains(word), "{said}");
+            let message = refused(size, values);
+            assert!(
+                message.starts_with("psf") && message.contains(word),
+                "{message}"
+            );
         }
         let round = |profile: &[[f64; 2]]| {
             let refused = PointSpread::round(profile, [0.1, 0.1]);
@@ -281,8 +284,8 @@ mod tests {
             (&[[0.0, 0.0], [0.1, 0.0]], "no light"),
             (&[[0.0, 1.0], [20.0, 0.0]], "401 × 401 pixels"),
         ] {
-            let said = round(profile);
-            assert!(said.contains(word), "{said}");
+            let message = round(profile);
+            assert!(message.contains(word), "{message}");
         }
     }
 

@@ -231,10 +231,10 @@ impl Checkpoints {
     }
 
     /// What this rank came to, if no rank failed.
-    fn agreed<T>(&self, own: Result<T>) -> Result<T> {
+    fn agreed<T>(&self, result: Result<T>) -> Result<T> {
         match &self.shares {
-            Some(shares) => together(shares.ranks().as_ref(), own),
-            None => own,
+            Some(shares) => together(shares.ranks().as_ref(), result),
+            None => result,
         }
     }
 
@@ -404,14 +404,14 @@ impl Checkpoints {
     /// The patterns of all ranks, where this process has a share of them; nothing on a rank that does not write.
     fn whole<F: Field>(&self, saved: &Saved<'_, F>) -> Option<Vec<(&'static str, HostField)>> {
         let shares = self.shares.as_ref()?;
-        let own = [
+        let fields = [
             ("patterns", Some(saved.patterns)),
             ("best", saved.best_patterns),
         ];
         let mut whole = Vec::new();
-        for (name, own) in own {
-            if let Some(own) = own {
-                let field = HostField::from_slice(&shares.whole(&own.to_host()));
+        for (name, share) in fields {
+            if let Some(share) = share {
+                let field = HostField::from_slice(&shares.whole(&share.to_host()));
                 whole.push((name, field));
             }
         }
@@ -550,8 +550,9 @@ pub fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>)
         (Value::Object(was), Value::Object(is)) => {
             let keys: std::collections::BTreeSet<_> = was.keys().chain(is.keys()).collect();
             for key in keys {
-                let of = |map: &serde_json::Map<_, _>| map.get(key).cloned().unwrap_or_default();
-                differences(&inner(key), &of(was), &of(is), found);
+                let value_of =
+                    |map: &serde_json::Map<_, _>| map.get(key).cloned().unwrap_or_default();
+                differences(&inner(key), &value_of(was), &value_of(is), found);
             }
         }
         (Value::Array(was), Value::Array(is)) if was.len() == is.len() => {

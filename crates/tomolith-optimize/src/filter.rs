@@ -97,8 +97,8 @@ impl<F: Field> Projection<F> {
             ones.fill(1.0);
             field.dot(&ones)
         };
-        let own: usize = lights.iter().map(|light| light.grid.frames()).sum();
-        let frames = patterns.total(own as f64);
+        let local: usize = lights.iter().map(|light| light.grid.frames()).sum();
+        let frames = patterns.total(local as f64);
         let share = sum(&patterns) / (frames * sum(wanted));
         if !(share.is_finite() && share > 0.0) {
             return Err(Error::config(

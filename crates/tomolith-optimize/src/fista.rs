@@ -244,9 +244,9 @@ impl<F: Field> Optimizer<F> for Fista<F> {
             problem.evaluate(trial, at)?;
             let promised = loss_at_y + sums.slope + 0.5 * lipschitz * sums.square;
             // Near a loss of zero what rounding does to the doses is more than a step gains
-            let kept = at.loss <= promised + ROUNDING * loss_at_y
+            let is_accepted = at.loss <= promised + ROUNDING * loss_at_y
                 || at.loss <= promised + DOSE_ROUNDING * at.cotangent.norm() * at.dose.norm();
-            if kept || !checked || lipschitz >= GROWTH * first || !at.loss.is_finite() {
+            if is_accepted || !checked || lipschitz >= GROWTH * first || !at.loss.is_finite() {
                 break sums;
             }
             lipschitz *= 2.0;

@@ -149,8 +149,8 @@ impl<'a, F: Field> FreeResponse<'a, F> {
 
     /// Takes other parameters, brought into their ranges.
     pub(super) fn set(&mut self, values: &[f64]) -> Result<()> {
-        let own = self.parameters.iter().zip(values);
-        let values = own.map(|(p, value)| value.clamp(p.range[0], p.range[1]));
+        let pairs = self.parameters.iter().zip(values);
+        let values = pairs.map(|(p, value)| value.clamp(p.range[0], p.range[1]));
         self.values = values.collect();
         self.respond_at(&self.values.clone())
     }
@@ -162,8 +162,8 @@ impl<'a, F: Field> FreeResponse<'a, F> {
 
     /// By how much the parameters at hand differ from others, as a part of their ranges; None from parameters of another number.
     pub(super) fn distance(&self, from: &[f64]) -> Option<f64> {
-        let own = self.parameters.iter().zip(self.values.iter().zip(from));
-        let moved = own.map(|(p, (is, was))| (p.place(*is) - p.place(*was)).abs());
+        let pairs = self.parameters.iter().zip(self.values.iter().zip(from));
+        let moved = pairs.map(|(p, (is, was))| (p.place(*is) - p.place(*was)).abs());
         (from.len() == self.values.len()).then(|| moved.fold(0.0, f64::max))
     }
 
@@ -235,8 +235,8 @@ impl<'a, F: Field> FreeResponse<'a, F> {
     }
 
     fn values_at(&self, place: &[f64]) -> Vec<f64> {
-        let own = self.parameters.iter().zip(place);
-        own.map(|(p, place)| p.value(*place)).collect()
+        let pairs = self.parameters.iter().zip(place);
+        pairs.map(|(p, place)| p.value(*place)).collect()
     }
 }
 

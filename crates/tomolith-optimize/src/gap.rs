@@ -142,7 +142,10 @@ mod tests {
 
     #[test]
     fn the_gap_is_relative_to_the_loss() {
-        let of = |bound| Gap { loss: 2.0, bound };
-        assert_eq!((of(1.5).relative(), of(2.1).relative()), (0.25, 0.0));
+        let gap_of = |bound| Gap { loss: 2.0, bound };
+        assert_eq!(
+            (gap_of(1.5).relative(), gap_of(2.1).relative()),
+            (0.25, 0.0)
+        );
     }
 }

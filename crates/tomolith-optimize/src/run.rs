@@ -501,7 +501,7 @@ impl<F: Field> State<F> {
             }
             if let Some(reason) = self.reason_to_stop(problem, x, stop, observers) {
                 let is_canceled = reason == StopReason::Canceled;
-                let keeps = |own: &&mut Checkpoints| is_canceled || own.keeps_end();
+                let keeps = |checkpoints: &&mut Checkpoints| is_canceled || checkpoints.keeps_end();
                 if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
                     let memory = problem.model().renewal().and_then(Renewal::memory);
                     let saved = self.saved(problem, optimizer, x, memory.as_ref());

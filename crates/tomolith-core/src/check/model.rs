@@ -115,8 +115,8 @@ fn noise_of_dose<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<M::Field
         let mut host = c.to_host();
         host[layout.range()].copy_from_slice(&layout.field_of(&volume));
         let cells = layout.offset + layout.voxels()..layout.range().end;
-        let own = noise(seed + 1, cells.len());
-        host[cells].copy_from_slice(&own);
+        let values = noise(seed + 1, cells.len());
+        host[cells].copy_from_slice(&values);
         c.copy_from_host(&host);
     }
     let scale = (1.0 / c.norm()) as f32;
@@ -142,12 +142,12 @@ fn adjoint_of_frames<M: DoseModel + ?Sized>(
         all / 3..2 * all / 3,
         0..0,
     ] {
-        let mut own = vec![0.0f32; noise.len()];
+        let mut part = vec![0.0f32; noise.len()];
         for (range, _) in elements_of(model.patterns(), &frames) {
-            own[range.clone()].copy_from_slice(&noise[range]);
+            part[range.clone()].copy_from_slice(&noise[range]);
         }
         let mut d = model.new_patterns()?;
-        d.copy_from_host(&own);
+        d.copy_from_host(&part);
         let fd = derivative(model, x, &d, work)?;
         let norm = fd.norm();
         if norm > 0.0 {
@@ -165,7 +165,7 @@ fn adjoint_of_frames<M: DoseModel + ?Sized>(
         }
         let bits = |v: &[f32]| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         let written = back.iter().filter(|v| !v.is_nan()).count();
-        let pairs = own.iter().zip(&back).filter(|(_, b)| !b.is_nan());
+        let pairs = part.iter().zip(&back).filter(|(_, b)| !b.is_nan());
         let backward: f64 = pairs.map(|(d, b)| f64::from(*d) * f64::from(*b)).sum();
         let forward = fd.dot(&c);
         let error = (forward - backward).abs();

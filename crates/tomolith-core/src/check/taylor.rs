@@ -30,14 +30,14 @@ impl Remainders {
     #[must_use]
     pub fn over(decades: usize, largest: f64, value: &dyn Fn(f32) -> f64, slope: f64) -> Self {
         let at = value(0.0);
-        let of = |i: usize| {
+        let point_of = |i: usize| {
             let step = (largest * 10f64.powf(-(i as f64) / STEPS as f64)) as f32;
             let change = value(step) - at;
             let step = f64::from(step);
             [step, (change - step * slope).abs()]
         };
         Remainders {
-            points: (0..=decades * STEPS).map(of).collect(),
+            points: (0..=decades * STEPS).map(point_of).collect(),
         }
     }
 

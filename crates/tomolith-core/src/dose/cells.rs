@@ -148,8 +148,8 @@ impl Cells {
 
     /// dose += a dose that is the same in both cells of a voxel.
     pub fn add_even(&self, voxels: &[f32], dose: &mut [f32]) {
-        let (own, cells) = dose.split_at_mut(voxels.len());
-        add(own, voxels);
+        let (voxel_doses, cells) = dose.split_at_mut(voxels.len());
+        add(voxel_doses, voxels);
         for ((voxel, _), cell) in self.iter().zip(cells) {
             *cell += voxels[voxel];
         }

@@ -200,8 +200,8 @@ impl DoseLayout {
                             line[x] = value;
                         }
                     }
-                    for (line, own) in lines.iter_mut().zip(&square) {
-                        line[first..][..width].copy_from_slice(&own[..width]);
+                    for (line, row) in lines.iter_mut().zip(&square) {
+                        line[first..][..width].copy_from_slice(&row[..width]);
                     }
                 }
             }
@@ -333,9 +333,9 @@ impl PatternLayout {
     ) -> Vec<(usize, &'a mut [T])> {
         let of_frame = |frame: usize| {
             let count = self.elements_of(frame..frame + 1).len();
-            let (own, rest) = std::mem::take(&mut elements).split_at_mut(count);
+            let (values, rest) = std::mem::take(&mut elements).split_at_mut(count);
             elements = rest;
-            (frame, own)
+            (frame, values)
         };
         frames.map(of_frame).collect()
     }
@@ -403,14 +403,14 @@ impl PatternLayout {
         let images = patterns.values.chunks(rows * columns);
         let frames = self.runs.chunks(columns).zip(images).map(|(runs, image)| {
             let active = runs.iter().map(|run| run.count as usize).sum();
-            let (own, others) = std::mem::take(&mut rest).split_at_mut(active);
+            let (elements, others) = std::mem::take(&mut rest).split_at_mut(active);
             rest = others;
-            (runs, image, own)
+            (runs, image, elements)
         });
-        frames.par_each(|(runs, image, mut own)| {
+        frames.par_each(|(runs, image, mut elements)| {
             for (column, run) in runs.iter().enumerate() {
-                let (values, others) = own.split_at_mut(run.count as usize);
-                own = others;
+                let (values, others) = elements.split_at_mut(run.count as usize);
+                elements = others;
                 for (i, value) in values.iter_mut().enumerate() {
                     let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
                     *value = self.quantity.value(energy);
@@ -435,12 +435,12 @@ pub fn own_frames<'a>(
     let mut first = 0;
     let of_light = move |(light, layout): (usize, &PatternLayout)| {
         let end = first + layout.grid.frames();
-        let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+        let local = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
         first = end;
-        (light, own)
+        (light, local)
     };
     let all = lights.iter().enumerate().map(of_light);
-    all.filter(|(_, own)| !own.is_empty())
+    all.filter(|(_, local)| !local.is_empty())
 }
 
 /// Elements of the pattern field that belong to some frames of all lights, light by light, and what a value there means.
@@ -449,5 +449,5 @@ pub fn elements_of<'a>(
     frames: &Range<usize>,
 ) -> impl Iterator<Item = (Range<usize>, Quantity)> + use<'a> {
     own_frames(lights, frames)
-        .map(|(light, own)| (lights[light].elements_of(own), lights[light].quantity))
+        .map(|(light, local)| (lights[light].elements_of(local), lights[light].quantity))
 }

@@ -17,7 +17,7 @@ pub trait Regions<F>: Send + Sync {
     /// How many regions there are. Together they hold every voxel that can be lit; they may overlap.
     fn count(&self) -> usize;
     /// The smallest number of each region's elements; 0 and above, ∞ for a region without voxels.
-    fn least(&self, of: &ByElement) -> Vec<f32>;
+    fn least(&self, value_of: &ByElement) -> Vec<f32>;
     /// Whether a dose field holds anything but 0 in each region that is chosen; false for all others.
     fn holds_any(&self, field: &F, chosen: &[bool]) -> Vec<bool>;
     /// What F(x + step) is nowhere above in each region, rounding included; x + step is nowhere negative.

@@ -250,13 +250,13 @@ impl Bands {
                 inside,
                 part,
                 void,
-                scale: own,
+                scale: before,
                 ..
             } => Bands::Shared {
-                scale: match (own.is_empty(), scale.is_empty()) {
+                scale: match (before.is_empty(), scale.is_empty()) {
                     (true, _) => scale.to_vec(),
-                    (_, true) => own,
-                    _ => own.iter().zip(scale).map(|(a, b)| a * b).collect(),
+                    (_, true) => before,
+                    _ => before.iter().zip(scale).map(|(a, b)| a * b).collect(),
                 },
                 inside,
                 part,

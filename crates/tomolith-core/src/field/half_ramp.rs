@@ -322,8 +322,12 @@ mod tests {
         for frame in 0..2 {
             for row in 0..rows {
                 let at = |column: usize| (frame * columns + column) * rows + row;
-                let sum = |factors: &[f64], of: &dyn Fn(usize) -> f64| -> f64 {
-                    factors.iter().enumerate().map(|(i, m)| m * of(i)).sum()
+                let sum = |factors: &[f64], value_of: &dyn Fn(usize) -> f64| -> f64 {
+                    factors
+                        .iter()
+                        .enumerate()
+                        .map(|(i, m)| m * value_of(i))
+                        .sum()
                 };
                 let x = |column: usize| f64::from(values[at(column)]);
                 let mx: Vec<f64> = m.iter().map(|of_row| sum(of_row, &x)).collect();
@@ -382,11 +386,11 @@ mod tests {
         for runs in all.frames {
             let elements: usize = runs.iter().map(|run| run.count).sum();
             let begin = runs[0].first;
-            let own = |run: ColumnRun| ColumnRun {
+            let moved = |run: ColumnRun| ColumnRun {
                 first: run.first - begin,
                 ..run
             };
-            let frames = vec![runs.into_iter().map(own).collect()];
+            let frames = vec![runs.into_iter().map(moved).collect()];
             let x = HostField::from_slice(&x.as_slice()[begin..begin + elements]);
             let mut alone = x.zeros_like();
             HostHalfRamp::new(HalfRamp { frames }, &x).apply(&x, &mut alone);

@@ -115,7 +115,7 @@ fn holds(types: &Value, name: &str) -> bool {
     types == name
         || types
             .as_array()
-            .is_some_and(|all| all.iter().any(|own| own == name))
+            .is_some_and(|all| all.iter().any(|listed| listed == name))
 }
 
 /// Refuses the first number of a table that is beyond the range of its key or not finite, the table at `path` of a job. Keys that are None are not

@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn only_the_product_of_steepness_and_midpoint_counts_where_doses_may_be_scaled() {
-        let of = |steepness, midpoint| {
+        let response_of = |steepness, midpoint| {
             let params = Params {
                 steepness,
                 midpoint,
@@ -214,9 +214,9 @@ mod tests {
             Logistic::new(params).unwrap()
         };
         // Scaled by 4, so that rounding is the same
-        let (own, other) = (of(10.0, 0.5), of(2.5, 2.0));
+        let (steep, other) = (response_of(10.0, 0.5), response_of(2.5, 2.0));
         for dose in [0.0f32, 0.125, 0.3, 0.5, 0.71, 1.0, 3.0] {
-            assert_eq!(own.value(dose), other.value(4.0 * dose), "{dose}");
+            assert_eq!(steep.value(dose), other.value(4.0 * dose), "{dose}");
         }
     }
 

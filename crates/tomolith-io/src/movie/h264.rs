@@ -22,7 +22,7 @@ pub(crate) fn groups(frames: usize) -> Vec<Range<usize>> {
 }
 
 /// What OpenH264 says, without its remarks on backtraces.
-pub(crate) fn said(error: &openh264::Error) -> String {
+pub(crate) fn message_of(error: &openh264::Error) -> String {
     let text = error.to_string();
     text.split(". Backtraces")
         .next()
@@ -36,7 +36,7 @@ pub(crate) fn each_image(
     group: Range<usize>,
     mut see: impl FnMut(usize, &DecodedYUV<'_>) -> Result<(), String>,
 ) -> Result<(), String> {
-    let mut decoder = Decoder::new().map_err(|e| said(&e))?;
+    let mut decoder = Decoder::new().map_err(|e| message_of(&e))?;
     let mut next = group.start;
     for frame in group.clone() {
         let packet = track
@@ -44,13 +44,13 @@ pub(crate) fn each_image(
             .ok_or_else(|| format!("frame {frame} is cut off"))?;
         let image = decoder
             .decode(&packet)
-            .map_err(|e| format!("frame {frame}: {}", said(&e)))?;
+            .map_err(|e| format!("frame {frame}: {}", message_of(&e)))?;
         if let Some(image) = image {
             see(next, &image)?;
             next += 1;
         }
     }
-    for image in decoder.flush_remaining().map_err(|e| said(&e))? {
+    for image in decoder.flush_remaining().map_err(|e| message_of(&e))? {
         see(next, &image)?;
         next += 1;
     }

@@ -160,8 +160,8 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
     let [in_part, in_void] = top.gelled;
     let void = labels.values.iter().filter(|l| **l == label::VOID).count() as f64;
     near!(gelled - in_part * part, in_void * void, 0.5, "{gelled}");
-    let kept: Vec<f64> = curves.snapshots().iter().map(|s| s.0).collect();
-    assert_eq!(kept, [0.0, 60.0]);
+    let moments: Vec<f64> = curves.snapshots().iter().map(|s| s.0).collect();
+    assert_eq!(moments, [0.0, 60.0]);
 }
 
 #[test]

@@ -162,11 +162,15 @@ fn what_a_wall_within_the_box_would_hold_back_goes_on_into_it() {
     spectral.multiply(boxed.as_mut_slice(), &modes);
     // 1 − ½·[(1 + 2a²)·erfc(a) − (2a/√π)·e^(−a²)], a = distance/(2√(DT))
     for (from_wall, expected) in [(0.05, 0.603), (0.25, 0.860), (0.55, 0.980), (0.75, 0.996)] {
-        let own = |field: &HostField| {
+        let value_of = |field: &HostField| {
             let i = 29 - (from_wall / 0.1) as usize;
             f64::from(field.as_slice()[walled.layout().index(0, 0, i)])
         };
-        assert!((own(stepped) - 1.0).abs() < 1e-4, "{}", own(stepped));
-        near!(own(&boxed), expected, 3e-3, "{from_wall} mm");
+        assert!(
+            (value_of(stepped) - 1.0).abs() < 1e-4,
+            "{}",
+            value_of(stepped)
+        );
+        near!(value_of(&boxed), expected, 3e-3, "{from_wall} mm");
     }
 }

@@ -110,13 +110,13 @@ impl<'a> Step<'a> {
         };
         out.chunks_mut(nx * row).enumerate().par_each(|(y, plane)| {
             for (x, out) in plane.chunks_exact_mut(row).enumerate() {
-                let beside = [
+                let neighbors = [
                     (x > 0).then(|| at(y, x - 1)),
                     (x + 1 < nx).then(|| at(y, x + 1)),
                     (y > 0).then(|| at(y - 1, x)),
                     (y + 1 < ny).then(|| at(y + 1, x)),
                 ];
-                f(&mut out[..nz], at(y, x), beside);
+                f(&mut out[..nz], at(y, x), neighbors);
             }
         });
     }
@@ -128,9 +128,9 @@ impl<'a> Step<'a> {
         self.each_row(
             values.as_slice(),
             out.as_mut_slice(),
-            |out, (own, share), beside| match share {
-                None => even_row(out, own, beside, [across, along], air),
-                Some(share) => uneven_row(out, own, share, beside, [across, along], air),
+            |out, (values, share), neighbors| match share {
+                None => even_row(out, values, neighbors, [across, along], air),
+                Some(share) => uneven_row(out, values, share, neighbors, [across, along], air),
             },
         );
     }
@@ -187,52 +187,53 @@ impl<'a> Step<'a> {
 
 fn even_row(
     out: &mut [f32],
-    own: &[f32],
-    beside: [Option<Row<'_>>; 4],
+    values: &[f32],
+    neighbors: [Option<Row<'_>>; 4],
     [across, along]: [f32; 2],
     air: Option<f32>,
 ) {
-    out.copy_from_slice(own);
-    for (other, _) in beside.into_iter().flatten() {
-        for ((out, &own), &other) in out.iter_mut().zip(own).zip(other) {
-            *out += across * (other - own);
+    out.copy_from_slice(values);
+    for (other, _) in neighbors.into_iter().flatten() {
+        for ((out, &value), &other) in out.iter_mut().zip(values).zip(other) {
+            *out += across * (other - value);
         }
     }
-    let n = own.len();
-    for ((out, &own), &above) in out.iter_mut().zip(own).zip(&own[1..]) {
-        *out += along * (above - own);
+    let n = values.len();
+    for ((out, &value), &above) in out.iter_mut().zip(values).zip(&values[1..]) {
+        *out += along * (above - value);
     }
-    for ((out, &own), &below) in out[1..].iter_mut().zip(&own[1..]).zip(own) {
-        *out += along * (below - own);
+    for ((out, &value), &below) in out[1..].iter_mut().zip(&values[1..]).zip(values) {
+        *out += along * (below - value);
     }
     if let Some(air) = air {
-        out[n - 1] += 2.0 * along * (air - own[n - 1]);
+        out[n - 1] += 2.0 * along * (air - values[n - 1]);
     }
 }
 
 fn uneven_row(
     out: &mut [f32],
-    own: &[f32],
+    values: &[f32],
     share: &[f32],
-    beside: [Option<Row<'_>>; 4],
+    neighbors: [Option<Row<'_>>; 4],
     [across, along]: [f32; 2],
     air: Option<f32>,
 ) {
-    out.copy_from_slice(own);
-    for (other, of_other) in beside.into_iter().flatten() {
+    out.copy_from_slice(values);
+    for (other, of_other) in neighbors.into_iter().flatten() {
         let of_other = of_other.unwrap_or(share);
         let there = other.iter().zip(of_other);
-        for (((out, &own), &d), (&other, &e)) in out.iter_mut().zip(own).zip(share).zip(there) {
-            *out += across * harmonic(d, e) * (other - own);
+        for (((out, &value), &d), (&other, &e)) in out.iter_mut().zip(values).zip(share).zip(there)
+        {
+            *out += across * harmonic(d, e) * (other - value);
         }
     }
-    for i in 1..own.len() {
-        let flux = along * harmonic(share[i - 1], share[i]) * (own[i] - own[i - 1]);
+    for i in 1..values.len() {
+        let flux = along * harmonic(share[i - 1], share[i]) * (values[i] - values[i - 1]);
         out[i - 1] += flux;
         out[i] -= flux;
     }
-    if let (Some(air), Some(last)) = (air, own.len().checked_sub(1)) {
-        out[last] += 2.0 * along * share[last] * (air - own[last]);
+    if let (Some(air), Some(last)) = (air, values.len().checked_sub(1)) {
+        out[last] += 2.0 * along * share[last] * (air - values[last]);
     }
 }
 

@@ -44,10 +44,11 @@ pub enum Modes {
 impl Modes {
     /// e^(−Dk²t), mm²/s and s.
     #[must_use]
-    pub fn diffusion(of: &Spectral, diffusion: f64, seconds: f64) -> Self {
+    pub fn diffusion(spectral: &Spectral, diffusion: f64, seconds: f64) -> Self {
         let factor = |axis: usize| {
-            let scale = of.scale(axis);
-            of.squares(axis)
+            let scale = spectral.scale(axis);
+            spectral
+                .squares(axis)
                 .into_iter()
                 .map(|k2| (scale * (-diffusion * k2 * seconds).exp()) as f32)
                 .collect()
@@ -57,11 +58,11 @@ impl Modes {
 
     /// g(|k|²), k in 1/mm.
     #[must_use]
-    pub fn of(of: &Spectral, g: impl Fn(f64) -> f64 + Sync) -> Self {
-        let [kz, ky, kx] = [0, 1, 2].map(|axis| of.squares(axis));
-        let scale = of.scale(0) * of.scale(1) * of.scale(2);
-        let row = of.layout.row;
-        let mut table = HostField::zeros(of.layout.voxels());
+    pub fn of(spectral: &Spectral, g: impl Fn(f64) -> f64 + Sync) -> Self {
+        let [kz, ky, kx] = [0, 1, 2].map(|axis| spectral.squares(axis));
+        let scale = spectral.scale(0) * spectral.scale(1) * spectral.scale(2);
+        let row = spectral.layout.row;
+        let mut table = HostField::zeros(spectral.layout.voxels());
         if !table.as_slice().is_empty() {
             let planes = table.as_mut_slice().chunks_mut(kx.len() * row).zip(&ky);
             planes.par_each(|(plane, ky)| {

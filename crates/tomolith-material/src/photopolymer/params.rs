@@ -219,13 +219,13 @@ impl Params {
             ));
         }
         for (i, network) in self.networks.iter().enumerate() {
-            let own = check_network(network);
-            own.map_err(|e| e.under(&format!("networks[{i}]")))?;
+            let checked = check_network(network);
+            checked.map_err(|e| e.under(&format!("networks[{i}]")))?;
         }
         for (i, shading) in self.shading.iter().enumerate() {
             let others = &self.shading[..i];
-            let own = check_shading(shading, mixing, others);
-            own.map_err(|e| e.under(&format!("shading[{i}]")))?;
+            let checked = check_shading(shading, mixing, others);
+            checked.map_err(|e| e.under(&format!("shading[{i}]")))?;
         }
         self.check_bleached_lights(mixing)?;
         check_ranges("", self)

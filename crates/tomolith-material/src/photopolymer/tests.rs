@@ -79,8 +79,8 @@ fn a_step_is_the_printed_balance_of_a_voxel() {
     let seconds = 2.0;
     material.step(&mut state, &[&light], seconds).unwrap();
     for i in 0..5usize {
-        let beside = [i.checked_sub(1), Some(i + 1).filter(|j| *j < 5)];
-        let flux: f64 = beside
+        let neighbors = [i.checked_sub(1), Some(i + 1).filter(|j| *j < 5)];
+        let flux: f64 = neighbors
             .into_iter()
             .flatten()
             .map(|j| f64::from(o[j] - o[i]))
@@ -266,7 +266,7 @@ fn strang_splitting_converges_with_the_square_of_the_step() {
 
 #[test]
 fn both_schemes_agree_where_both_are_exact_enough() {
-    let of = |scheme: Scheme| {
+    let values_of = |scheme: Scheme| {
         let params = Params {
             diffusion: scheme,
             ..threshold(vec![oxygen(1.0, 1e-4)], 1.0)
@@ -284,7 +284,7 @@ fn both_schemes_agree_where_both_are_exact_enough() {
         }
         state
     };
-    let (faces, spectral) = (of(Scheme::Faces), of(Scheme::Spectral));
+    let (faces, spectral) = (values_of(Scheme::Faces), values_of(Scheme::Spectral));
     // Of 1 and of about 1.4 mJ/mm³, by voxels and by splitting
     for (volume, tolerance) in [(0, 0.02), (1, 0.03)] {
         let off = apart(&faces.volumes[volume], &spectral.volumes[volume]);
@@ -521,7 +521,7 @@ fn the_same_bits_on_any_number_of_threads() {
         let material = everything(scheme);
         let (state, lights) = middle(&material);
         let views = [lights[0].as_slice(), lights[1].as_slice()];
-        let of = |threads: usize| {
+        let state_on = |threads: usize| {
             tomolith_core::check::on_threads(threads, || {
                 let mut after = state.clone();
                 for _ in 0..3 {
@@ -537,8 +537,8 @@ fn the_same_bits_on_any_number_of_threads() {
                 bits.collect::<Vec<u32>>()
             })
         };
-        let one = of(1);
-        assert!(one == of(2) && one == of(8));
+        let one = state_on(1);
+        assert!(one == state_on(2) && one == state_on(8));
     }
 }
 

@@ -206,7 +206,7 @@ fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
     let printing = in_time(1);
     let work = Work::new();
     let x = positive(printing.new_patterns().unwrap().len(), 5);
-    let of = |threads: usize, before: f32| {
+    let results_on = |threads: usize, before: f32| {
         tomolith_core::check::on_threads(threads, || {
             let (mut dose, mut grad) = (printing.new_dose().unwrap(), x.zeros_like());
             dose.fill(before);
@@ -216,8 +216,8 @@ fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
             (bits(&dose), bits(&grad))
         })
     };
-    let one = of(1, 0.0);
-    assert!(one == of(2, f32::NAN) && one == of(8, 7.0));
+    let one = results_on(1, 0.0);
+    assert!(one == results_on(2, f32::NAN) && one == results_on(8, 7.0));
 }
 
 #[test]

@@ -19,15 +19,15 @@ fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Patterns]) 
         .par_map(|(dose, labels)| {
             // In registers, whatever the label
             let [mut part, mut void] = [0.0; 2];
-            for (&dose, &own) in dose.iter().zip(labels) {
+            for (&dose, &label) in dose.iter().zip(labels) {
                 let dose = f64::from(dose);
-                part += if own == label::PART { dose } else { 0.0 };
-                void += if own == label::VOID { dose } else { 0.0 };
+                part += if label == label::PART { dose } else { 0.0 };
+                void += if label == label::VOID { dose } else { 0.0 };
             }
             [part, void]
         });
     let voxel = dose.grid.voxel_mm3();
-    let of = |at: usize| voxel * sums.iter().map(|s| s[at]).sum::<f64>();
+    let energy_of = |at: usize| voxel * sums.iter().map(|s| s[at]).sum::<f64>();
     let sent = patterns.iter().map(|light| {
         let sums: Vec<f64> = light
             .values
@@ -35,7 +35,7 @@ fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Patterns]) 
             .par_map(|b| b.iter().map(|&x| f64::from(x)).sum());
         sums.iter().sum::<f64>() * light.grid.pixel_mm2()
     });
-    [sent.sum(), of(0), of(1)]
+    [sent.sum(), energy_of(0), energy_of(1)]
 }
 
 pub(super) fn list(

@@ -400,11 +400,11 @@ mod tests {
 
     #[test]
     fn wrong_shapes_and_options_are_refused() {
-        let of = |dose: [f32; 2], target: &[f32], options: &Options<'_>| {
+        let result_of = |dose: [f32; 2], target: &[f32], options: &Options<'_>| {
             numbers_of(&[PART, VOID], &dose, target, options)
         };
         let (dose, plain) = ([0.5, 0.2], Options::default());
-        let refused = of(dose, &[1.0], &plain);
+        let refused = result_of(dose, &[1.0], &plain);
         assert!(matches!(refused, Err(Error::Shape { what, .. }) if what == "target"));
         let epsilon = Options {
             epsilon: -1.0,
@@ -414,9 +414,9 @@ mod tests {
             trim_percent: 50.0,
             ..plain
         };
-        refuses(of(dose, &dose, &epsilon), "epsilon");
-        refuses(of(dose, &dose, &trim_percent), "trim_percent");
-        let bad = of([f32::NAN, 0.2], &dose, &plain);
+        refuses(result_of(dose, &dose, &epsilon), "epsilon");
+        refuses(result_of(dose, &dose, &trim_percent), "trim_percent");
+        let bad = result_of([f32::NAN, 0.2], &dose, &plain);
         assert!(matches!(bad, Err(Error::NonFinite { .. })));
     }
 }

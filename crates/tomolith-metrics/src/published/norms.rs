@@ -102,18 +102,18 @@ pub(super) fn band_errors(
         let begin = b * BLOCK;
         let mut sums = [[BandError::default(); 2]; 2];
         for (class, run) in runs(&band.labels.values[begin..][..block.len()]) {
-            let mut own = sums[class];
+            let mut errors = sums[class];
             for i in run {
                 let value = match is_identity {
                     true => block[i],
                     false => response.value(block[i]),
                 };
                 let off = (f64::from(value) - band.value(begin + i)).abs();
-                for (own, tolerance) in own.iter_mut().zip(tolerances) {
-                    own.add(off - tolerance);
+                for (error, tolerance) in errors.iter_mut().zip(tolerances) {
+                    error.add(off - tolerance);
                 }
             }
-            sums[class] = own;
+            sums[class] = errors;
         }
         let [part, void] = sums;
         [0, 1].map(|tolerance| {
@@ -189,14 +189,14 @@ mod tests {
             labels: &labels,
             gray: false,
         };
-        let of = |wanted: u8, target: f64| {
-            let own = dose.values.iter().zip(&labels.values);
-            let own = own.filter(|(_, label)| **label == wanted);
-            let own = own.map(|(&dose, _)| (f64::from(dose) - target).abs() - 0.125);
-            own.filter(|error| *error > ROUNDING).collect::<Vec<_>>()
+        let errors_of = |wanted: u8, target: f64| {
+            let pairs = dose.values.iter().zip(&labels.values);
+            let pairs = pairs.filter(|(_, label)| **label == wanted);
+            let errors = pairs.map(|(&dose, _)| (f64::from(dose) - target).abs() - 0.125);
+            errors.filter(|error| *error > ROUNDING).collect::<Vec<_>>()
         };
         let [[all, part, void], _] = band_errors(&dose, band, [0.125, 0.0], &Identity);
-        for (found, expected) in [(part, of(PART, 1.0)), (void, of(VOID, 0.0))] {
+        for (found, expected) in [(part, errors_of(PART, 1.0)), (void, errors_of(VOID, 0.0))] {
             assert!(expected.len() > 1000);
             assert_eq!(found.violated, expected.len() as u64);
             assert!((found.l1 / expected.iter().sum::<f64>() - 1.0).abs() < 1e-12);

@@ -41,8 +41,8 @@ pub(super) fn slices(
     let each = |(iz, (values, labels)): (usize, (&[f32], &[u8]))| {
         let [mut part, mut void] = [const { Vec::new() }; 2];
         for (class, work) in runs(labels) {
-            let own = if class == 0 { &mut part } else { &mut void };
-            own.extend_from_slice(&values[work]);
+            let chosen = if class == 0 { &mut part } else { &mut void };
+            chosen.extend_from_slice(&values[work]);
         }
         slice(dose.grid.z(iz), &part, &void, trim_percent)
     };
@@ -94,8 +94,8 @@ fn percentile(values: &[f32], percent: f64) -> Measure {
     let [low, high] = if 2 * i < last {
         at_rank(values.iter().copied(), i + 1)
     } else {
-        let [above, own] = at_rank(values.iter().map(|value| -value), last - i);
-        [-own, -above]
+        let [above, value] = at_rank(values.iter().map(|value| -value), last - i);
+        [-value, -above]
     };
     let [low, high] = [low, high].map(f64::from);
     Some(low + share * (high - low))
@@ -118,8 +118,11 @@ fn at_rank(values: impl Iterator<Item = f32>, rank: usize) -> [f32; 2] {
             smallest.push(value);
         }
     }
-    let (before, &mut own, _) = smallest.select_nth_unstable_by(rank, f32::total_cmp);
-    [before.iter().copied().reduce(f32::max).unwrap_or(own), own]
+    let (before, &mut value, _) = smallest.select_nth_unstable_by(rank, f32::total_cmp);
+    [
+        before.iter().copied().reduce(f32::max).unwrap_or(value),
+        value,
+    ]
 }
 
 /// The worst slice of each kind.

@@ -41,10 +41,10 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
 /// The first to the last of `used` vectors that hold anything in any row: rows of pixels above and below the part leave the others dark.
 fn nonzero_vectors(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
     let holds_any = |&vector: &usize| {
-        let own = vector * LANES..(vector + 1) * LANES;
+        let range = vector * LANES..(vector + 1) * LANES;
         let parts = lanes.chunks(TOGETHER * row * LANES).par_map(|rows| {
             let mut rows = rows.chunks_exact(row * LANES);
-            rows.any(|lanes| is_nonzero(&lanes[own.clone()]))
+            rows.any(|lanes| is_nonzero(&lanes[range.clone()]))
         });
         parts.contains(&true)
     };
@@ -122,7 +122,8 @@ impl NonzeroBlocks {
         part: usize,
         of_rows: &[usize],
     ) -> Self {
-        let repeated = |own: &Self, together| own.repeated(row, parts, part, together, of_rows);
+        let repeated =
+            |blocks: &Self, together| blocks.repeated(row, parts, part, together, of_rows);
         // A short block that is a long one is no choice
         let apart = if short.blocks.len() == long.blocks.len() {
             repeated(short, 1)
@@ -148,7 +149,7 @@ impl NonzeroBlocks {
         together: usize,
         of_rows: &[usize],
     ) -> Self {
-        let own = self.blocks.len();
+        let count = self.blocks.len();
         let of_part = |i: usize| {
             self.blocks.iter().map(move |block| Block {
                 row,
@@ -161,7 +162,7 @@ impl NonzeroBlocks {
         let bits = |(i, &of_row): (usize, &usize)| match self.rows[of_row] {
             0 => 0,
             _ if shares_a_bit => u64::MAX,
-            bits => bits << (i / together * own),
+            bits => bits << (i / together * count),
         };
         let rows = of_rows.chunks_exact(parts);
         let rows = rows.map(|rows| rows.iter().enumerate().map(bits).fold(0, |a, b| a | b));
@@ -201,8 +202,8 @@ impl NonzeroBlocks {
     /// The blocks of a row that hold anything.
     pub(super) fn blocks_of(&self, row: usize) -> impl Iterator<Item = &Block> {
         let blocks = self.blocks.iter().enumerate();
-        let own = blocks.filter(move |(i, _)| self.any_in(row, *i));
-        own.map(|(_, block)| block)
+        let nonzero = blocks.filter(move |(i, _)| self.any_in(row, *i));
+        nonzero.map(|(_, block)| block)
     }
 
     /// Of the voxels of a tile, in a plane of `nx` voxels a row.
@@ -226,8 +227,8 @@ pub(super) fn is_nonzero(lanes: &[f32]) -> bool {
 /// [`bit`]s of the blocks of a row that hold anything but 0.
 fn bits_of(lanes: &[f32], blocks: &[Block]) -> u64 {
     let nonzero = blocks.iter().enumerate().filter(|(_, block)| {
-        let own = block.first * LANES..(block.first + block.count) * LANES;
-        is_nonzero(&lanes[own])
+        let range = block.first * LANES..(block.first + block.count) * LANES;
+        is_nonzero(&lanes[range])
     });
     nonzero.fold(0, |bits, (i, _)| bits | bit(i))
 }

@@ -149,10 +149,10 @@ impl Finder {
                 self.joined[patch * span + (run.column - least) as usize][corner] += weight;
             }
         }
-        for (own, joined) in self.patches.iter_mut().zip(self.joined.chunks_exact(span)) {
+        for (entries, joined) in self.patches.iter_mut().zip(self.joined.chunks_exact(span)) {
             for (slot, weights) in (first + least..).zip(joined) {
                 if *weights != [0.0; VOXELS] {
-                    own.push((slot, *weights));
+                    entries.push((slot, *weights));
                 }
             }
         }
@@ -278,7 +278,7 @@ pub(super) struct Wanted<'a> {
 
 impl<'a> Wanted<'a> {
     pub(super) fn of(vectors: Option<&'a [u64]>) -> Self {
-        let all = |vectors: &[u64]| vectors.iter().fold(0, |all, own| all | own);
+        let all = |vectors: &[u64]| vectors.iter().fold(0, |all, bits| all | bits);
         Wanted {
             vectors,
             of_any: vectors.map_or(u64::MAX, all),
@@ -442,14 +442,14 @@ impl LightEntries<'_> {
         let is_lit = |slot| nonzero.any(slot);
         let group = self.group(place, is_lit, &mut bench.finder, &mut bench.found);
         let first = first_of_group(place.views) * columns;
-        let own = slots_of(place.views, columns);
-        let is_whole = is_whole(&own, group);
+        let slot_range = slots_of(place.views, columns);
+        let is_whole = is_whole(&slot_range, group);
         for (i, &block) in nonzero.blocks.iter().enumerate() {
             if !wanted.any_in(block) {
                 continue;
             }
             let lit = group.light(&mut bench.lit, |slot| {
-                own.contains(&slot) && nonzero.any_in(first + slot as usize, i)
+                slot_range.contains(&slot) && nonzero.any_in(first + slot as usize, i)
             });
             if lit == 0 {
                 continue;
@@ -538,8 +538,8 @@ impl LightEntries<'_> {
             return;
         }
         let size = place.tile.size;
-        let own = slots_of(place.views, self.plan.columns);
-        let is_whole = is_whole(&own, group);
+        let slot_range = slots_of(place.views, self.plan.columns);
+        let is_whole = is_whole(&slot_range, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in nonzero.blocks.iter().enumerate() {
             if !cotangent.of_tile.any_in(i) {
@@ -549,7 +549,7 @@ impl LightEntries<'_> {
                 let mut parts = held.parts(patch, block).peekable();
                 let entries = parts
                     .peek()
-                    .and_then(|_| group.patches.of(patch, own.start));
+                    .and_then(|_| group.patches.of(patch, slot_range.start));
                 let Some(mut entries) = entries else {
                     continue;
                 };
@@ -565,7 +565,7 @@ impl LightEntries<'_> {
                     continue;
                 }
                 if !is_whole {
-                    entries = entries.choose(&mut bench.chosen, |slot| own.contains(&slot));
+                    entries = entries.choose(&mut bench.chosen, |slot| slot_range.contains(&slot));
                 }
                 for part in parts {
                     let values = voxels.map(|voxel| match voxel {
@@ -617,8 +617,8 @@ fn voxels_of<'a>(
     outside.resize(VOXELS * len, 0.0);
     let mut spare = outside.chunks_mut(len);
     let mut of_line = lines.iter_mut().map(|line| {
-        let own = &mut line[x * row..];
-        own.chunks_mut(row).take(EDGE)
+        let column = &mut line[x * row..];
+        column.chunks_mut(row).take(EDGE)
     });
     let [mut upper, mut lower] = [of_line.next(), of_line.next()];
     let mut next = |corner: usize| {

@@ -64,8 +64,8 @@ impl LightPlan {
         let sides = self.views.sides();
         let source = |slot| {
             let of_side = |side| {
-                let own = sides.contains(&side);
-                own.then(|| self.views.pixel_column(slot, side) as u32)
+                let has_side = sides.contains(&side);
+                has_side.then(|| self.views.pixel_column(slot, side) as u32)
             };
             [of_side(0), of_side(1)]
         };

@@ -92,8 +92,8 @@ impl Wide {
     /// Where those of a slot of any part lie.
     fn of_slot(self, slot: usize) -> Range<usize> {
         let first = slot % self.slots * self.row;
-        let own = self.lanes(slot / self.slots);
-        first + own.start..first + own.end
+        let lanes = self.lanes(slot / self.slots);
+        first + lanes.start..first + lanes.end
     }
 
     /// Floats of a tile.
@@ -230,8 +230,8 @@ impl Parallel {
         let steps = work.steps(self.tiles.len() * source.groups.len());
         let mut targets: Vec<_> = targets.into_iter().map(Some).collect();
         let of_orbit = |orbit: &Vec<usize>| {
-            let own = orbit.iter().map(|&i| Some((i, targets[i].take()?)));
-            own.collect::<Option<Vec<_>>>().unwrap_or_default()
+            let members = orbit.iter().map(|&i| Some((i, targets[i].take()?)));
+            members.collect::<Option<Vec<_>>>().unwrap_or_default()
         };
         let orbits: Vec<_> = self.orbits.iter().map(of_orbit).collect();
         orbits
@@ -272,8 +272,8 @@ impl Parallel {
                     }
                 }
                 let tiles: Vec<usize> = orbit.iter().map(|(index, _)| *index).collect();
-                for own in orbit {
-                    finish(&tiles, own, desk);
+                for target in orbit {
+                    finish(&tiles, target, desk);
                 }
             });
     }
@@ -299,8 +299,8 @@ impl Parallel {
                         let view = part * plan.turned.period + first_view;
                         if views.contains(&view) {
                             let slot = view * plan.columns + column;
-                            let own = &mut lanes[wide.lanes(part)];
-                            plan.add_expanded(layout, slot, sides.clone(), x, own, buffer);
+                            let lanes = &mut lanes[wide.lanes(part)];
+                            plan.add_expanded(layout, slot, sides.clone(), x, lanes, buffer);
                         }
                     }
                 }
@@ -365,17 +365,22 @@ impl Parallel {
                 }
                 let sums = lanes[..wide.part].as_chunks_mut::<LANES>().0;
                 sums.fill([0.0; LANES]);
-                for own in lines.of_voxel(x, turned) {
-                    let own = own.as_chunks::<LANES>().0;
-                    for (sums, own) in sums.iter_mut().zip(own) {
-                        sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+                for values in lines.of_voxel(x, turned) {
+                    let values = values.as_chunks::<LANES>().0;
+                    for (sums, values) in sums.iter_mut().zip(values) {
+                        sums.iter_mut()
+                            .zip(values)
+                            .for_each(|(sum, value)| *sum += value);
                     }
                 }
             }
             let Some(chosen) = chosen else {
                 match &plan.levels.spread {
                     Some(spread) => spread.add_to(dose, lanes, buffer),
-                    None => dose.iter_mut().zip(&*lanes).for_each(|(d, own)| *d += own),
+                    None => dose
+                        .iter_mut()
+                        .zip(&*lanes)
+                        .for_each(|(d, lane)| *d += lane),
                 }
                 continue;
             };
@@ -391,8 +396,8 @@ impl Parallel {
                     spread.add_to(slices, lanes, buffer);
                     all = slices;
                 }
-                for own in chosen.slices(index, [x, y]) {
-                    dose[own.clone()].copy_from_slice(&all[own]);
+                for range in chosen.slices(index, [x, y]) {
+                    dose[range.clone()].copy_from_slice(&all[range]);
                 }
             }
         }
@@ -436,8 +441,8 @@ impl Parallel {
             for groups in groups.chunks(chunk) {
                 let (first, last) = (groups[0].start, groups[groups.len() - 1].end);
                 let (_, from) = rest.split_at_mut((first - end) * per_view);
-                let (own, after) = from.split_at_mut((last - first) * per_view);
-                tasks.push((band, groups, own));
+                let (share, after) = from.split_at_mut((last - first) * per_view);
+                tasks.push((band, groups, share));
                 (rest, end) = (after, last);
             }
         }
@@ -479,14 +484,14 @@ impl Parallel {
     /// Adds to the lanes of groups of views, from the first to the last, what the cotangent that a tile is turned to gives.
     fn collect_kept(
         &self,
-        of: &Cotangent<'_>,
+        whole: &Cotangent<'_>,
         index: usize,
         groups: &[Range<usize>],
         lanes: &mut [f32],
         desk: &mut Desk,
     ) {
         let (tile, nx) = (&self.tiles[index], self.output.grid.shape[2]);
-        let (plan, wide) = (of.entries.plan, Wide::of(of.entries.plan));
+        let (plan, wide) = (whole.entries.plan, Wide::of(whole.entries.plan));
         let row = plan.levels.row;
         let at = |y: usize| (0..tile.size[0]).map(move |x| [tile.start[0] + x, y]);
         let places: Vec<usize> = (tile.start[1]..tile.start[1] + tile.size[1])
@@ -497,19 +502,25 @@ impl Parallel {
         let per_view = plan.columns * wide.row;
         let mut collect = |cotangent: &TileCotangent, held: Wanted, bench: &mut Bench| {
             for views in groups {
-                let own = views.start - groups[0].start..views.end - groups[0].start;
-                let lanes = &mut lanes[own.start * per_view..own.end * per_view];
-                (of.entries).collect(Place { index, tile, views }, cotangent, held, lanes, bench);
+                let range = views.start - groups[0].start..views.end - groups[0].start;
+                let lanes = &mut lanes[range.start * per_view..range.end * per_view];
+                (whole.entries).collect(
+                    Place { index, tile, views },
+                    cotangent,
+                    held,
+                    lanes,
+                    bench,
+                );
             }
         };
         if wide.parts == 1 && wide.row == row {
-            let [short, long] = of.nonzero;
+            let [short, long] = whole.nonzero;
             let nonzero = match short.cost_of(&places) < long.cost_of(&places) {
                 true => short,
                 false => long,
             };
             let cotangent = TileCotangent {
-                values: of.values,
+                values: whole.values,
                 nonzero,
                 of_tile: nonzero.of_tile(tile, nx),
                 first: places[0],
@@ -520,7 +531,7 @@ impl Parallel {
         }
         let [row_there, part] = [wide.row, wide.part].map(|len| len / LANES);
         let nonzero_there =
-            NonzeroBlocks::side_by_side(of.nonzero, row_there, wide.parts, part, &places);
+            NonzeroBlocks::side_by_side(whole.nonzero, row_there, wide.parts, part, &places);
         let local = Tile {
             start: [0, 0],
             ..*tile
@@ -536,19 +547,21 @@ impl Parallel {
             .zip(places.chunks_exact(wide.parts))
         {
             for (part, &place) in places.iter().enumerate() {
-                let own = &mut lanes[wide.lanes(part)];
-                if of.views.start < (part + 1) * period
-                    && part * period < of.views.end
-                    && of.nonzero[0].any(place)
+                let copy = &mut lanes[wide.lanes(part)];
+                if whole.views.start < (part + 1) * period
+                    && part * period < whole.views.end
+                    && whole.nonzero[0].any(place)
                 {
                     // Sixteen at a time: a call that copies would take longer than so few floats
-                    let lanes = of.values[place * row..][..wide.part].as_chunks::<LANES>().0;
-                    let own = own.as_chunks_mut::<LANES>().0;
-                    own.iter_mut()
+                    let lanes = whole.values[place * row..][..wide.part]
+                        .as_chunks::<LANES>()
+                        .0;
+                    let copy = copy.as_chunks_mut::<LANES>().0;
+                    copy.iter_mut()
                         .zip(lanes)
-                        .for_each(|(own, lanes)| *own = *lanes);
+                        .for_each(|(copy, lane)| *copy = *lane);
                 } else {
-                    own.fill(0.0);
+                    copy.fill(0.0);
                 }
             }
         }

@@ -88,20 +88,20 @@ impl Parallel {
         plan.enumerate(self.path, beam, plan.meeting(tile, beam), &local, found);
     }
 
-    /// Entries of a tile and a beam: the stored ones, or those found anew in `own`.
+    /// Entries of a tile and a beam: the stored ones, or those found anew in `scratch`.
     pub(super) fn loose_entries<'a>(
         &self,
         plan: &LightPlan,
-        kept: Option<&'a Loose>,
+        stored: Option<&'a Loose>,
         tile: usize,
         beam: usize,
-        own: &'a mut TileEntries,
+        scratch: &'a mut TileEntries,
     ) -> &'a TileEntries {
         let place = tile * plan.beams.len() + beam;
-        if let Some(kept) = kept.and_then(|kept| kept.at(place)) {
-            return kept;
+        if let Some(entries) = stored.and_then(|stored| stored.at(place)) {
+            return entries;
         }
-        self.enumerate_loose(plan, tile, beam, own);
-        own
+        self.enumerate_loose(plan, tile, beam, scratch);
+        scratch
     }
 }

@@ -341,15 +341,15 @@ impl Parallel {
 
     /// The entries of a light of a volume.
     fn entries(&self, light: usize, work: &Work) -> Result<LightEntries<'_>> {
-        let (plan, path, own) = (&self.lights[light], self.path, &self.cache[light]);
-        let cached = match (own.get(), self.finding) {
+        let (plan, path, cache) = (&self.lights[light], self.path, &self.cache[light]);
+        let cached = match (cache.get(), self.finding) {
             (Some(found), _) => found,
             (None, Finding::Once) => {
                 let found = CachedEntries::of(plan, path, &self.tiles, work)?;
                 // Whoever comes first; all would find the same
-                own.get_or_init(|| found)
+                cache.get_or_init(|| found)
             }
-            (None, _) => own.get_or_init(CachedEntries::in_each_call),
+            (None, _) => cache.get_or_init(CachedEntries::in_each_call),
         };
         Ok(LightEntries { plan, path, cached })
     }
@@ -523,8 +523,8 @@ fn tile_rows<'a>(
         for line in lines.by_ref().take(tiles[band[0]].size[1]) {
             let mut rest = line;
             for &i in band {
-                let (own, others) = rest.split_at_mut(tiles[i].size[0] * row);
-                rows[i].push(own);
+                let (tile_row, others) = rest.split_at_mut(tiles[i].size[0] * row);
+                rows[i].push(tile_row);
                 rest = others;
             }
         }
@@ -542,8 +542,8 @@ impl Parallel {
         work: &Work,
     ) -> Result<()> {
         let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            for part in self.lights[light].views.of_frames(own) {
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
+            for part in self.lights[light].views.of_frames(light_frames) {
                 self.adjoint_light(light, &part, cotangent, grad, work)?;
             }
         }
@@ -574,8 +574,8 @@ impl DoseModel for Parallel {
         dose: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            let parts = self.lights[light].views.of_frames(own);
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
+            let parts = self.lights[light].views.of_frames(light_frames);
             let share = 1.0 / (self.lights.len() * parts.len()) as f64;
             for part in parts {
                 let work = work.part(share);
@@ -618,8 +618,8 @@ impl Parallel {
     fn count_updates(&self) -> u64 {
         let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
-            let kept = (!self.is_plane()).then(|| self.entries(light, &Work::new()));
-            if let Some(Ok(entries)) = kept
+            let found = (!self.is_plane()).then(|| self.entries(light, &Work::new()));
+            if let Some(Ok(entries)) = found
                 && entries.cached.is_kept()
             {
                 return entries.cached.updates(plan, nz);

@@ -79,27 +79,28 @@ impl Patches {
         patch: usize,
         slots: Range<u32>,
     ) -> impl Iterator<Item = (u32, &[f32; VOXELS])> + Clone {
-        let own = match self.starts.get(patch..=patch + 1) {
+        let entries = match self.starts.get(patch..=patch + 1) {
             Some(starts) => starts[0] as usize..starts[1] as usize,
             None => 0..0,
         };
-        let place = |slot: u32| own.start + self.slots[own.clone()].partition_point(|&s| s < slot);
-        let own = place(slots.start)..place(slots.end);
-        self.slots[own.clone()]
+        let place =
+            |slot: u32| entries.start + self.slots[entries.clone()].partition_point(|&s| s < slot);
+        let entries = place(slots.start)..place(slots.end);
+        self.slots[entries.clone()]
             .iter()
             .copied()
-            .zip(&self.weights[own])
+            .zip(&self.weights[entries])
     }
 
     /// All entries of a patch, for rows that are counted from `first` on; None where there are none.
     pub(super) fn of(&self, patch: usize, first: u32) -> Option<PatchEntries<'_>> {
         let [start, end] = [0, 1].map(|i| self.starts.get(patch + i).map(|&start| start as usize));
-        let own = start?..end?;
-        (!own.is_empty()).then(|| PatchEntries {
+        let entries = start?..end?;
+        (!entries.is_empty()).then(|| PatchEntries {
             first,
             rows: self.rows,
-            slots: &self.slots[own.clone()],
-            weights: &self.weights[own],
+            slots: &self.slots[entries.clone()],
+            weights: &self.weights[entries],
             chosen: None,
         })
     }

@@ -378,14 +378,14 @@ impl LightPlan {
         let of_frame = |frame| {
             let mut seen = (0, 0);
             let mut voxels = 0u8;
-            for &(column, own) in lit {
+            for &(column, bits) in lit {
                 let lit = self.lit_in(frame, column);
                 if lit.1 > lit.0 {
                     if voxels != 0 && lit != seen {
                         // Columns whose pixels end at different heights
                         return None;
                     }
-                    (seen, voxels) = (lit, voxels | own);
+                    (seen, voxels) = (lit, voxels | bits);
                 }
             }
             Some(u64::from(voxels.count_ones()) * slices(seen, nz))
@@ -393,8 +393,8 @@ impl LightPlan {
         let total: Option<u64> = self.frames_of(view).map(of_frame).sum();
         total.map_or_else(
             || {
-                let each = lit.iter().flat_map(|&(column, own)| {
-                    let is_lit = move |voxel: &usize| own >> voxel & 1 == 1;
+                let each = lit.iter().flat_map(|&(column, bits)| {
+                    let is_lit = move |voxel: &usize| bits >> voxel & 1 == 1;
                     (0..8).filter(is_lit).map(move |voxel| (column, voxel))
                 });
                 self.pairs::<8>(view, nz, each)

@@ -32,7 +32,7 @@ fn square_of(major: Major) -> usize {
 impl LightPlan {
     /// Beams of some views: they lie one after the other.
     fn beams_of(&self, views: Range<usize>) -> Range<usize> {
-        let mut lit = self.of_view[views].iter().filter(|own| !own.is_empty());
+        let mut lit = self.of_view[views].iter().filter(|beams| !beams.is_empty());
         let first = lit.next();
         let last = lit.next_back().or(first);
         first.zip(last).map_or(0..0, |(a, b)| a.start..b.end)
@@ -104,8 +104,8 @@ impl Parallel {
                     } else if meeting.end > meeting.first {
                         let values = plan.frame(values, beam);
                         let square = &mut along[square_of(Major::Y)];
-                        let own = &mut bench.entries;
-                        let found = self.loose_entries(plan, loose, index, beam, own);
+                        let scratch = &mut bench.entries;
+                        let found = self.loose_entries(plan, loose, index, beam, scratch);
                         add_loose(found, values, square);
                     }
                 }
@@ -268,8 +268,8 @@ impl Gathering {
                     pixels[column] += sum;
                 }
             } else {
-                let own = &mut self.entries;
-                let found = model.loose_entries(plan, loose, index, i, own);
+                let scratch = &mut self.entries;
+                let found = model.loose_entries(plan, loose, index, i, scratch);
                 let values = &self.integrals[square_of(Major::Y)].value;
                 for run in &found.runs {
                     let of_run = found.of(run);

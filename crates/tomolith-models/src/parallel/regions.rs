@@ -51,8 +51,8 @@ impl Chosen {
         [x, y]: [usize; 2],
     ) -> impl Iterator<Item = Range<usize>> + '_ {
         let vectors = self.vectors[tile * OF_TILE + patch([x, y])];
-        let own = move |vector: &usize| vectors >> vector & 1 == 1;
-        let vectors = (0..self.slices.len()).filter(own);
+        let is_chosen = move |vector: &usize| vectors >> vector & 1 == 1;
+        let vectors = (0..self.slices.len()).filter(is_chosen);
         vectors.map(|vector| self.slices[vector].clone())
     }
 }
@@ -107,11 +107,11 @@ impl Parallel {
         (0..levels.used).map(of_vector).collect()
     }
 
-    /// What `of` makes of each region's elements, one row of slices after the other, from `first` on.
+    /// What `fold` makes of each region's elements, one row of slices after the other, from `first` on.
     fn each_region<T: Copy + Send + Sync>(
         &self,
         first: T,
-        of: impl Fn(T, usize, Range<usize>) -> T + Sync,
+        fold: impl Fn(T, usize, Range<usize>) -> T + Sync,
     ) -> Vec<T> {
         let (slices, nx) = (self.slices_of_vectors(), self.output.grid.shape[2]);
         let count = slices.len();
@@ -123,8 +123,8 @@ impl Parallel {
                 for (vector, slices) in slices.iter().enumerate() {
                     let region = patch([x, y]) * count + vector;
                     let all = index * OF_TILE * count + region;
-                    let own = row + slices.start..row + slices.end;
-                    found[region] = of(found[region], all, own);
+                    let elements = row + slices.start..row + slices.end;
+                    found[region] = fold(found[region], all, elements);
                 }
             }
             found
@@ -138,15 +138,15 @@ impl Parallel {
         let count = slices.len();
         let of_patch = |regions: &[bool]| {
             let bits = regions.iter().enumerate();
-            bits.fold(0u64, |all, (i, own)| all | u64::from(*own) << i)
+            bits.fold(0u64, |all, (i, is_wanted)| all | u64::from(*is_wanted) << i)
         };
         let vectors: Vec<u64> = chosen.chunks(count).map(of_patch).collect();
         let shares = |a: &Range<usize>, b: &Range<usize>| a.start < b.end && b.start < a.end;
-        let sharing = |own| slices.iter().map(|other| shares(own, other)).collect();
+        let sharing = |slice| slices.iter().map(|other| shares(slice, other)).collect();
         let sharing: Vec<Vec<bool>> = slices.iter().map(sharing).collect();
         let widen = |bits: &u64| {
-            let own = (0..count).filter(|i| bits >> i & 1 == 1);
-            own.fold(*bits, |all, i| all | of_patch(&sharing[i]))
+            let set_bits = (0..count).filter(|i| bits >> i & 1 == 1);
+            set_bits.fold(*bits, |all, i| all | of_patch(&sharing[i]))
         };
         let widened: Vec<u64> = vectors.iter().map(widen).collect();
         let nx = self.output.grid.shape[2];
@@ -189,8 +189,8 @@ impl Parallel {
                     for side in plan.views.sides() {
                         let slot = view * plan.columns + column;
                         let run = layout.runs[plan.views.pixel_column(slot, side)];
-                        let own = run.offset..run.offset + run.count as usize;
-                        let pairs = x[own.clone()].iter().zip(&step[own]);
+                        let elements = run.offset..run.offset + run.count as usize;
+                        let pairs = x[elements.clone()].iter().zip(&step[elements]);
                         values.clear();
                         values.extend(pairs.map(|(x, step)| x + step));
                         let place = |row: usize| row.saturating_sub(run.bottom as usize);
@@ -211,20 +211,21 @@ impl Regions<HostField> for Parallel {
         self.tiles.len() * OF_TILE * self.the_plan().levels.used
     }
 
-    fn least(&self, of: &ByElement) -> Vec<f32> {
-        self.each_region(f32::INFINITY, |least, _, mut own| {
-            own.try_fold(least, |least, i| match of(i).min(least) {
-                0.0 => Err(0.0),
-                least => Ok(least),
-            })
-            .unwrap_or_else(|least| least)
+    fn least(&self, value_of: &ByElement) -> Vec<f32> {
+        self.each_region(f32::INFINITY, |least, _, mut elements| {
+            elements
+                .try_fold(least, |least, i| match value_of(i).min(least) {
+                    0.0 => Err(0.0),
+                    least => Ok(least),
+                })
+                .unwrap_or_else(|least| least)
         })
     }
 
     fn holds_any(&self, field: &HostField, chosen: &[bool]) -> Vec<bool> {
         let is_nonzero = |value: &f32| *value != 0.0;
-        self.each_region(false, |found, region, own| {
-            found || chosen[region] && field.as_slice()[own].iter().any(is_nonzero)
+        self.each_region(false, |found, region, elements| {
+            found || chosen[region] && field.as_slice()[elements].iter().any(is_nonzero)
         })
     }
 
@@ -249,13 +250,13 @@ impl Regions<HostField> for Parallel {
                 let lines = self.lines(plan, pooled, tiles, tile, y);
                 for x in 0..tile.size[0] {
                     bounds.fill(0.0);
-                    for own in lines.of_voxel(x, &desk.turned) {
-                        let pairs = bounds.iter_mut().zip(own);
-                        pairs.for_each(|(bound, own)| *bound += own);
+                    for values in lines.of_voxel(x, &desk.turned) {
+                        let pairs = bounds.iter_mut().zip(values);
+                        pairs.for_each(|(bound, value)| *bound += value);
                     }
-                    let own = &mut found[patch([x, y]) * pooled.part..];
-                    for (own, bound) in own.iter_mut().zip(&bounds) {
-                        *own = own.max(bound * (1.0 + ROUNDING));
+                    let found = &mut found[patch([x, y]) * pooled.part..];
+                    for (found, bound) in found.iter_mut().zip(&bounds) {
+                        *found = found.max(bound * (1.0 + ROUNDING));
                     }
                 }
             }

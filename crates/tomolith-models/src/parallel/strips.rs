@@ -127,11 +127,11 @@ pub(super) fn beams(
             for sub in 0..sub_angles {
                 let within = (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
                 let angle = azimuth + within * pixels.frame_arc;
-                let (own, turn) = match &shared {
+                let (traced, turn) = match &shared {
                     Some(_) => (None, angle),
                     None => (Some(bundles(tracer, pixels, angle)), 0.0),
                 };
-                let list = own.as_ref().or(shared.as_ref()).map_or(&[][..], |v| v);
+                let list = traced.as_ref().or(shared.as_ref()).map_or(&[][..], |v| v);
                 let laid = lay(frame as u32, list, turn, weight, grid, deposit);
                 beams.extend(laid.into_iter().map(|mut beam| {
                     beam.azimuth = angle;

@@ -296,8 +296,8 @@ fn plain_adjoint(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
     let width = (1.0 / rows.per_voxel) as f32;
     let mut sums = [0.0f32; 32];
     for (row, place) in places.iter().enumerate().take(rows.count) {
-        let own = row * TILE..(row + 1) * TILE;
-        let (value, constant) = (&integrals.value[own.clone()], &integrals.constant[own]);
+        let range = row * TILE..(row + 1) * TILE;
+        let (value, constant) = (&integrals.value[range.clone()], &integrals.constant[range]);
         let factor = rows.factor[row] * rows.per_voxel as f32;
         let mut integral = [0.0f32; 33];
         for (lane, integral) in integral.iter_mut().enumerate() {
@@ -655,9 +655,9 @@ mod tests {
                         .map(|(&a, &b)| f64::from(a) * f64::from(b))
                         .sum()
                 };
-                let own = rows.count * TILE;
+                let len = rows.count * TILE;
                 let (forward, backward) = (
-                    product(&out[..own], &integrals.value[..own]),
+                    product(&out[..len], &integrals.value[..len]),
                     product(&source, &grad),
                 );
                 near!(forward, backward, 2e-5, "{isa:?} {per_voxel}");

@@ -63,9 +63,9 @@ impl Views {
 
     /// The pixels of the frames that stand for the views.
     pub(super) fn pixels(&self, all: &PatternGrid) -> PatternGrid {
-        let mut own = all.clone();
-        own.azimuths.truncate(self.count());
-        own
+        let mut pixels = all.clone();
+        pixels.azimuths.truncate(self.count());
+        pixels
     }
 
     /// Slot (view and column) that a pixel column of a frame lights.

@@ -537,11 +537,11 @@ mod tests {
 
     #[test]
     fn registers_are_looked_up_as_memory_is() {
-        let of = |low: f64, pitch_mm: f64, count: usize| Intervals {
+        let intervals_of = |low: f64, pitch_mm: f64, count: usize| Intervals {
             lows_mm: (0..count).map(|i| low + i as f64 * pitch_mm).collect(),
             pitch_mm,
         };
-        let rows = of(0.0, 1.0, 53);
+        let rows = intervals_of(0.0, 1.0, 53);
         // Finer and coarser lanes, up to several rows each; below, within and above the rows
         for (low, pitch, count) in [
             (0.0, 0.5, 106),
@@ -549,7 +549,7 @@ mod tests {
             (30.2, 1.9, 33),
             (-20.0, 5.5, 19),
         ] {
-            let lanes = of(low, pitch, count);
+            let lanes = intervals_of(low, pitch, count);
             let run = PixelRun {
                 offset: 0,
                 bottom: 0,

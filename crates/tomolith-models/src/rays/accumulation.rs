@@ -129,17 +129,17 @@ mod tests {
             const DRAWS: u64 = 40_000;
             let (mut sums, mut squares) = ([0.0; 2], [0.0; 2]);
             for i in 0..DRAWS {
-                let mut own = [0.0; 2];
+                let mut draw = [0.0; 2];
                 kind.for_each(
                     segment,
                     || Stream::new([7, i, 0, 0]),
                     |piece| {
-                        own[usize::from(piece.ray.from[0] > 2.0)] += piece.power * taken;
+                        draw[usize::from(piece.ray.from[0] > 2.0)] += piece.power * taken;
                     },
                 );
                 for k in 0..2 {
-                    sums[k] += own[k] / DRAWS as f64;
-                    squares[k] += own[k] * own[k] / DRAWS as f64;
+                    sums[k] += draw[k] / DRAWS as f64;
+                    squares[k] += draw[k] * draw[k] / DRAWS as f64;
                 }
             }
             let deviation = |k: usize| (squares[k] - sums[k] * sums[k]).sqrt();

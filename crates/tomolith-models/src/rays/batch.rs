@@ -78,8 +78,9 @@ impl Rays {
         work: &Work,
         mut visit: impl FnMut(&[ColumnRay]),
     ) -> Result<()> {
-        if let Some(kept) = self.cached_column_rays(work)? {
-            kept.of_pixels(&self.patterns[light].elements_of(frames))
+        if let Some(cached) = self.cached_column_rays(work)? {
+            cached
+                .of_pixels(&self.patterns[light].elements_of(frames))
                 .for_each(visit);
             return Ok(());
         }

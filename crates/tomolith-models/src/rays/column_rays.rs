@@ -254,13 +254,13 @@ pub(super) fn add(column_rays: &[ColumnRay], layout: &DoseLayout, x: &[f32], dos
     dose.chunks_mut(rows * row)
         .enumerate()
         .par_each(|(task, dose)| {
-            let own = (task * rows) as u32..((task + 1) * rows) as u32;
-            let at = |place: u32| (place - own.start) as usize * row;
+            let band = (task * rows) as u32..((task + 1) * rows) as u32;
+            let at = |place: u32| (place - band.start) as usize * row;
             for (i, column_ray) in column_rays.iter().enumerate().filter(|&(i, _)| is_lit[i]) {
                 match &column_ray.form {
                     Form::Level { places, deposits } => {
                         let entries = places.iter().zip(deposits);
-                        for (&place, deposit) in entries.filter(|(place, _)| own.contains(place)) {
+                        for (&place, deposit) in entries.filter(|(place, _)| band.contains(place)) {
                             let voxels = &mut dose[at(place)..][..row];
                             let entry = Entries {
                                 slots: &[0],
@@ -274,7 +274,7 @@ pub(super) fn add(column_rays: &[ColumnRay], layout: &DoseLayout, x: &[f32], dos
                     }
                     Form::Slanted(slant) => {
                         let mut room = slant.room();
-                        for &way in slant.ways_in(&own) {
+                        for &way in slant.ways_in(&band) {
                             let voxels = &mut dose[at(way.place)..][..nz];
                             slant.add(isa, &values[i], way, &mut room, voxels);
                         }

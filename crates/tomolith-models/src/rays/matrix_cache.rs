@@ -168,8 +168,8 @@ impl Rays {
             for pixel in begin..end {
                 found.clear();
                 for ((ways, _, first), left) in bundles.iter().zip(&mut left) {
-                    let own = left.iter().take_while(|s| s.pixel as usize == pixel);
-                    let count = own.count();
+                    let segments = left.iter().take_while(|s| s.pixel as usize == pixel);
+                    let count = segments.count();
                     for segment in &left[..count] {
                         traversal::for_each(self.gait, *ways, segment, |voxel, deposit| {
                             found.push((first + voxel as u32, deposit));

@@ -601,15 +601,15 @@ impl DoseModel for Rays {
             .solid
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
-        let kept = self.cache(work)?;
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            if let Some(kept) = kept {
-                let pixels = self.patterns[light].elements_of(own);
+        let cache = self.cache(work)?;
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
+            if let Some(cache) = cache {
+                let pixels = self.patterns[light].elements_of(light_frames);
                 match &mut split {
-                    None => kept.add(0, x, &pixels, &mut dose[..voxels]),
+                    None => cache.add(0, x, &pixels, &mut dose[..voxels]),
                     Some([outside, inside]) => {
-                        kept.add(0, x, &pixels, outside);
-                        kept.add(voxels, x, &pixels, inside);
+                        cache.add(0, x, &pixels, outside);
+                        cache.add(voxels, x, &pixels, inside);
                     }
                 }
                 continue;
@@ -617,14 +617,14 @@ impl DoseModel for Rays {
             if self.has_column_rays() {
                 let dose = &mut dose[..voxels];
                 let is_lit = |pixel: usize| x[pixel] != 0.0;
-                self.for_each_sheets(light, own, is_lit, work, |column_rays| {
+                self.for_each_sheets(light, light_frames, is_lit, work, |column_rays| {
                     column_rays::add(column_rays, &self.output, x, dose);
                 })?;
                 continue;
             }
             let mut cells = self.scatter_grid.as_ref().map(ScatterGrid::cells);
             let is_lit = |pixel: usize| x[pixel] != 0.0;
-            self.for_each_chunk(light, own, is_lit, work, |lit| {
+            self.for_each_chunk(light, light_frames, is_lit, work, |lit| {
                 match &mut split {
                     None => self.add(&self.lattice, &lit.straight, x, dose),
                     Some([outside, inside]) => {
@@ -656,18 +656,18 @@ impl DoseModel for Rays {
     ) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
-        let kept = self.cache(work)?;
-        let sides = kept.and(split.as_ref()).map(|sides| sides.concat());
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            let pixels = self.patterns[light].elements_of(own.clone());
-            if let Some(kept) = kept {
-                kept.collect(sides.as_deref().unwrap_or(c), &pixels, grad);
+        let cache = self.cache(work)?;
+        let sides = cache.and(split.as_ref()).map(|sides| sides.concat());
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
+            let pixels = self.patterns[light].elements_of(light_frames.clone());
+            if let Some(cache) = cache {
+                cache.collect(sides.as_deref().unwrap_or(c), &pixels, grad);
                 continue;
             }
             grad[pixels].fill(0.0);
             if self.has_column_rays() {
                 let all = |_| true;
-                self.for_each_sheets(light, own, all, work, |column_rays| {
+                self.for_each_sheets(light, light_frames, all, work, |column_rays| {
                     column_rays::collect(column_rays, &self.output, c, grad);
                 })?;
                 continue;
@@ -680,7 +680,7 @@ impl DoseModel for Rays {
                 )
             });
             let all = |_| true;
-            self.for_each_chunk(light, own, all, work, |lit| {
+            self.for_each_chunk(light, light_frames, all, work, |lit| {
                 match &split {
                     None => self.collect(&self.lattice, &lit.straight, c, grad),
                     Some([outside, inside]) => {
@@ -702,8 +702,8 @@ impl DoseModel for Rays {
 
     /// Voxels that all segments pass: planes of each axis they cross, summed.
     fn updates(&self) -> u64 {
-        if let Ok(Some(kept)) = self.cache(&Work::new()) {
-            return kept.updates();
+        if let Ok(Some(cache)) = self.cache(&Work::new()) {
+            return cache.updates();
         }
         *self.updates.get_or_init(|| {
             let mut total = 0.0;

@@ -293,20 +293,20 @@ impl Slant {
     ) {
         let (whole, shape) = self.on(way);
         let bottom = self.first + whole;
-        let own = self.in_grid(bottom, voxels.len());
-        if own.is_empty() {
+        let range = self.in_grid(bottom, voxels.len());
+        if range.is_empty() {
             return;
         }
         // The slices that these lanes reach, with zeros for those outside of the grid
-        let room = &mut room[..own.len() + 2];
-        let low = bottom + own.start as i32;
+        let room = &mut room[..range.len() + 2];
+        let low = bottom + range.start as i32;
         let inside = (-low).max(0) as usize..((voxels.len() as i32 - low) as usize).min(room.len());
         room[..inside.start].fill(0.0);
         room[inside.end..].fill(0.0);
         let first = (low + inside.start as i32) as usize;
         room[inside.clone()].copy_from_slice(&voxels[first..first + inside.len()]);
-        let count = own.len();
-        let (heights, lanes) = (&self.heights[own.clone()], &mut lanes[own]);
+        let count = range.len();
+        let (heights, lanes) = (&self.heights[range.clone()], &mut lanes[range]);
         let [low, middle, high] = [0, 1, 2].map(|i| &room[i..i + count]);
         if way.is_short() {
             dispatch!(isa, join(heights, [low, middle], shape, lanes));

@@ -147,14 +147,14 @@ impl Source {
         let count = self.samples.len();
         let place = self.pixels.column_u(column) / self.pixels.pitch_mm[0];
         // Half a spacing is added so that no pixel on or next to the axis lies at the leap from 1 to 0
-        let beside = (0.5 + place * GOLDEN).rem_euclid(1.0) - 0.5;
-        let beside = if count > 1 {
-            beside / count as f64
+        let offset = (0.5 + place * GOLDEN).rem_euclid(1.0) - 0.5;
+        let offset = if count > 1 {
+            offset / count as f64
         } else {
             0.0
         };
         self.samples.iter().map(move |sample| Sample {
-            within: [sample.within[0], sample.within[1] + beside],
+            within: [sample.within[0], sample.within[1] + offset],
             ..*sample
         })
     }
@@ -230,8 +230,8 @@ impl Source {
                 continue;
             };
             let pixel = column * self.pixels.rows + row;
-            let own = shared.starts[pixel] as usize..shared.starts[pixel + 1] as usize;
-            for segment in &shared.segments[own] {
+            let range = shared.starts[pixel] as usize..shared.starts[pixel + 1] as usize;
+            for segment in &shared.segments[range] {
                 let ray = Ray {
                     from: turned(segment.ray.from, azimuth),
                     direction: turned(segment.ray.direction, azimuth),

@@ -23,9 +23,9 @@ impl Rays {
         work: &Work,
     ) -> Result<()> {
         let x = x.as_slice();
-        for (light, own) in own_frames(&self.patterns, &frames) {
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
             let is_lit = |pixel: usize| x[pixel] != 0.0;
-            self.for_each_chunk(light, own, is_lit, work, |lit| {
+            self.for_each_chunk(light, light_frames, is_lit, work, |lit| {
                 for (weight, dose) in weights.iter().zip(&mut *doses) {
                     let bundles = weighted(&lit.straight, weight);
                     self.add(&self.lattice, &bundles, x, dose.as_mut_slice());
@@ -45,10 +45,10 @@ impl Rays {
         work: &Work,
     ) -> Result<()> {
         let grad = grad.as_mut_slice();
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            grad[self.patterns[light].elements_of(own.clone())].fill(0.0);
+        for (light, light_frames) in own_frames(&self.patterns, &frames) {
+            grad[self.patterns[light].elements_of(light_frames.clone())].fill(0.0);
             let all = |_| true;
-            self.for_each_chunk(light, own, all, work, |lit| {
+            self.for_each_chunk(light, light_frames, all, work, |lit| {
                 for (weight, c) in weights.iter().zip(cotangents) {
                     let bundles = weighted(&lit.straight, weight);
                     self.collect(&self.lattice, &bundles, c.as_slice(), grad);

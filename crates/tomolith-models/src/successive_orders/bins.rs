@@ -158,8 +158,8 @@ impl Bins {
         of_frames.par_each(|(frame, rows)| {
             for (column, rows) in rows.chunks_mut(count).enumerate() {
                 let slot = frame * columns + column;
-                let own = &x[self.pixels.runs[slot].offset..];
-                self.for_each_part(slot, |pixel, row, part| rows[row] += part * own[pixel]);
+                let pixels = &x[self.pixels.runs[slot].offset..];
+                self.for_each_part(slot, |pixel, row, part| rows[row] += part * pixels[pixel]);
             }
         });
         rows
@@ -175,10 +175,10 @@ impl Bins {
             bins.fill(0.0);
             for slot in frame * columns..(frame + 1) * columns {
                 let rows = &rows[slot * count..][..count];
-                for (own, part) in self.bins_of(slot) {
+                for (range, part) in self.bins_of(slot) {
                     let weight = scale * weights[slot] * part;
-                    let own = &mut bins[own.start - frame * len..own.end - frame * len];
-                    let both = own.iter_mut().zip(rows);
+                    let bins = &mut bins[range.start - frame * len..range.end - frame * len];
+                    let both = bins.iter_mut().zip(rows);
                     both.for_each(|(bin, row)| *bin += weight * row);
                 }
             }
@@ -202,9 +202,9 @@ impl Bins {
         of_frames.into_iter().par_each(|(frame, rows)| {
             for (column, rows) in rows.chunks_mut(count).enumerate() {
                 let slot = frame * columns + column;
-                for (own, part) in self.bins_of(slot) {
+                for (range, part) in self.bins_of(slot) {
                     let weight = scale * weights[slot] * part;
-                    let both = rows.iter_mut().zip(&bins[own]);
+                    let both = rows.iter_mut().zip(&bins[range]);
                     both.for_each(|(row, bin)| *row += weight * bin);
                 }
             }
@@ -219,15 +219,15 @@ impl Bins {
         for frame in frames {
             let runs = &self.pixels.runs[frame * columns..(frame + 1) * columns];
             let len = runs.iter().map(|run| run.count as usize).sum();
-            let (own, rest) = x.split_at_mut(len);
-            by_frame.push((frame, runs[0].offset, own));
+            let (pixels, rest) = x.split_at_mut(len);
+            by_frame.push((frame, runs[0].offset, pixels));
             x = rest;
         }
-        by_frame.into_iter().par_each(|(frame, first, own)| {
+        by_frame.into_iter().par_each(|(frame, first, pixels)| {
             for slot in frame * columns..(frame + 1) * columns {
                 let rows = &rows[slot * count..][..count];
-                let own = &mut own[self.pixels.runs[slot].offset - first..];
-                self.for_each_part(slot, |pixel, row, part| own[pixel] += part * rows[row]);
+                let pixels = &mut pixels[self.pixels.runs[slot].offset - first..];
+                self.for_each_part(slot, |pixel, row, part| pixels[pixel] += part * rows[row]);
             }
         });
     }

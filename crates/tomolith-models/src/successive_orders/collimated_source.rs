@@ -75,12 +75,12 @@ impl UnscatteredSource for CollimatedSource {
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let mut own = self.parallel.new_patterns()?;
+        let mut patterns = self.parallel.new_patterns()?;
         let mut rows = self.bins.dark_rows();
         for (field, weights) in fields.iter().zip(&self.weights) {
             self.parallel
-                .collect(frames.clone(), field, &mut own, work)?;
-            (self.bins).add_back(frames.clone(), own.as_slice(), weights, &mut rows);
+                .collect(frames.clone(), field, &mut patterns, work)?;
+            (self.bins).add_back(frames.clone(), patterns.as_slice(), weights, &mut rows);
         }
         self.bins.add_rows(frames, &rows, grad);
         Ok(())
@@ -119,8 +119,8 @@ fn orders_of_azimuth(delta_scaled: &DeltaScaledPhase) -> Vec<isize> {
 
 /// What the unscattered light of one order of the azimuth tells.
 fn channel(delta_scaled: &DeltaScaledPhase, m: isize) -> Channel {
-    let own = delta_scaled.harmonics().into_iter().filter(|h| h.m == m);
-    let weighted = own.map(|harmonic| (harmonic, level(harmonic)));
+    let harmonics = delta_scaled.harmonics().into_iter().filter(|h| h.m == m);
+    let weighted = harmonics.map(|harmonic| (harmonic, level(harmonic)));
     Channel(weighted.filter(|&(_, weight)| weight != 0.0).collect())
 }
 

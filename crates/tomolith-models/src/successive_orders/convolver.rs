@@ -149,7 +149,7 @@ impl Convolver {
                         .zip(rows.chunks_exact_mut(nx * self.row))
                     {
                         self.along_x[1].process(plane);
-                        for (x, own) in rows.chunks_exact_mut(self.row).enumerate() {
+                        for (x, column) in rows.chunks_exact_mut(self.row).enumerate() {
                             for (k, value) in of_line.iter_mut().enumerate() {
                                 *value = plane[k * px + x];
                             }
@@ -158,7 +158,7 @@ impl Convolver {
                             of_line[nk - 1].im = 0.0;
                             let lengths = self.from_z.process(of_line, line);
                             debug_assert!(lengths.is_ok());
-                            for (sum, value) in own[..nz].iter_mut().zip(&*line) {
+                            for (sum, value) in column[..nz].iter_mut().zip(&*line) {
                                 *sum += weight * value;
                             }
                         }

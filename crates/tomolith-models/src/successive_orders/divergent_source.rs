@@ -75,11 +75,11 @@ impl UnscatteredSource for DivergentSource {
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let mut own = self.rays.new_patterns()?;
+        let mut patterns = self.rays.new_patterns()?;
         self.rays
-            .collect_weighted(frames.clone(), fields, &self.weights, &mut own, work)?;
+            .collect_weighted(frames.clone(), fields, &self.weights, &mut patterns, work)?;
         let mut rows = self.bins.dark_rows();
-        (self.bins).add_back(frames.clone(), own.as_slice(), &self.even, &mut rows);
+        (self.bins).add_back(frames.clone(), patterns.as_slice(), &self.even, &mut rows);
         self.bins.add_rows(frames, &rows, grad);
         Ok(())
     }

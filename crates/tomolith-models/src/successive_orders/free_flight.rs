@@ -72,9 +72,9 @@ impl FreeFlightKernel {
             let cells = (0..nz).map(place).take_while(|&n| lit(n));
             let values = cells.flat_map(|n| {
                 if n.into_iter().max() <= Some(1) {
-                    sums.of(&self.near_pole(n, &polar))
+                    sums.over(&self.near_pole(n, &polar))
                 } else {
-                    sums.of(&self.far_from_pole(n))
+                    sums.over(&self.far_from_pole(n))
                 }
             });
             values.collect()
@@ -83,8 +83,10 @@ impl FreeFlightKernel {
         let of_pattern = |p: usize| {
             let mut octant = vec![0.0; nx * ny * nz];
             for (line, values) in octant.chunks_mut(nz).zip(&lines) {
-                let own = values.iter().skip(p).step_by(patterns.len());
-                line.iter_mut().zip(own).for_each(|(k, &value)| *k = value);
+                let values = values.iter().skip(p).step_by(patterns.len());
+                line.iter_mut()
+                    .zip(values)
+                    .for_each(|(k, &value)| *k = value);
             }
             octant
         };
@@ -171,7 +173,7 @@ impl Sums {
         }
     }
 
-    fn of(&self, nodes: &[Node]) -> Vec<f32> {
+    fn over(&self, nodes: &[Node]) -> Vec<f32> {
         let mut sums = vec![0.0; self.patterns.len()];
         let mut values = vec![0.0; self.harmonics.len()];
         for &(direction, arrives) in nodes {
@@ -312,8 +314,8 @@ mod tests {
             mu: 1e-9,
             edge: 1.0,
         };
-        let own = f64::from(clear.octants(&[even], [1, 1, 1], &Work::new()).unwrap()[0][0]);
-        assert!((own - 0.4472).abs() < 0.003, "{own}");
+        let mean = f64::from(clear.octants(&[even], [1, 1, 1], &Work::new()).unwrap()[0][0]);
+        assert!((mean - 0.4472).abs() < 0.003, "{mean}");
     }
 
     #[test]

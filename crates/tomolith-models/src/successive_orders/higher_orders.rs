@@ -61,18 +61,18 @@ impl HigherOrders {
     /// `of_bins` is how far its bins blur it.
     pub(super) fn new(
         vial: &dyn Vial,
-        of: &ScatteringLight<'_>,
+        scattering: &ScatteringLight<'_>,
         channels: &[Channel],
         of_bins: CellBlur,
         cells: &Cells,
         coarse: Coarse,
         work: &Work,
     ) -> Result<Self> {
-        let (delta_scaled, grid) = (&of.delta_scaled, &coarse.layout.grid);
+        let (delta_scaled, grid) = (&scattering.delta_scaled, &coarse.layout.grid);
         let [nz, ny, nx] = grid.shape;
         let convolver = Convolver::new([nx, ny, nz], coarse.layout.row);
         let free_flight = FreeFlightKernel {
-            mu: of.light.resin.attenuation_per_mm,
+            mu: scattering.light.resin.attenuation_per_mm,
             edge: grid.pitch_mm,
         };
         let moments: Vec<Moment> = delta_scaled
@@ -81,14 +81,14 @@ impl HigherOrders {
             .map(|harmonic| {
                 let scattered =
                     (delta_scaled.per_mm * delta_scaled.coefficients[harmonic.l]) as f32;
-                let told = |(i, channel): (usize, &Channel)| {
+                let weight_of = |(i, channel): (usize, &Channel)| {
                     let weight = channel.weight(harmonic)?;
                     Some((i, scattered * weight as f32))
                 };
                 Moment {
                     harmonic,
                     scattered,
-                    straight: channels.iter().enumerate().find_map(told),
+                    straight: channels.iter().enumerate().find_map(weight_of),
                 }
             })
             .collect();
@@ -401,7 +401,7 @@ impl Back<'_> {
         let higher = self.higher;
         let mut sum = vec![0.0; higher.coarse.layout.len()];
         for (moment, field) in higher.moments.iter().zip(&self.moments) {
-            if let Some((_, weight)) = moment.straight.filter(|(own, _)| *own == channel) {
+            if let Some((_, weight)) = moment.straight.filter(|(source, _)| *source == channel) {
                 sum.iter_mut()
                     .zip(field)
                     .for_each(|(sum, value)| *sum += weight * value);

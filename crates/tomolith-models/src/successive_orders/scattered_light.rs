@@ -107,20 +107,20 @@ pub(super) struct ScatteredLight {
 impl ScatteredLight {
     pub(super) fn new(
         vial: &dyn Vial,
-        of: ScatteringLight<'_>,
+        scattering: ScatteringLight<'_>,
         params: &Params,
         fine: &DoseLayout,
         purpose: Purpose,
         work: &Work,
     ) -> Result<Self> {
-        let (light, delta_scaled) = (&of.light, &of.delta_scaled);
+        let (light, delta_scaled) = (&scattering.light, &scattering.delta_scaled);
         let edges = cell_edges(vial, delta_scaled, params);
         let (bins, binned) = Bins::new(light, edges[0]);
         let rays = |optics| by_rays(vial, vec![binned.clone()], &[optics], params, &fine.grid);
-        let rays = of.cone.cloned().map(rays).transpose()?;
+        let rays = scattering.cone.cloned().map(rays).transpose()?;
         let lit = rays.as_ref();
         let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
-        let cells = Cells::new(vial, &of, edges, lit, &fine.grid);
+        let cells = Cells::new(vial, &scattering, edges, lit, &fine.grid);
         cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
@@ -167,13 +167,13 @@ impl ScatteredLight {
             given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
             seen: Sharpen::new(&layout, &is_full, mean + line),
             kernels,
-            higher: HigherOrders::new(vial, &of, channels, of_bins, &cells, later, work)?,
+            higher: HigherOrders::new(vial, &scattering, channels, of_bins, &cells, later, work)?,
             straight,
             convolver,
             coarse: coarse(cells.grid),
-            light: of.number,
-            pixels: of.pixels,
-            frames: of.frames,
+            light: scattering.number,
+            pixels: scattering.pixels,
+            frames: scattering.frames,
         })
     }
 
@@ -213,7 +213,7 @@ impl ScatteredLight {
     }
 
     /// Which of this light's frames are among these of all lights.
-    fn own(&self, frames: &Range<usize>) -> Range<usize> {
+    fn local_frames(&self, frames: &Range<usize>) -> Range<usize> {
         let Range { start, end } = self.frames;
         frames.start.clamp(start, end) - start..frames.end.clamp(start, end) - start
     }
@@ -226,11 +226,11 @@ impl ScatteredLight {
         dose: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let own = self.own(&frames);
-        if own.is_empty() {
+        let local = self.local_frames(&frames);
+        if local.is_empty() {
             return Ok(());
         }
-        let sources = self.straight.fields(own, &x[self.pixels.clone()], work)?;
+        let sources = self.straight.fields(local, &x[self.pixels.clone()], work)?;
         let mut once = vec![Complex::new(0.0, 0.0); self.convolver.len()];
         for (kernel, source) in self.kernels.iter().zip(&sources) {
             let spectrum = self.convolver.transform(&self.given.of(source.as_slice()));
@@ -250,8 +250,8 @@ impl ScatteredLight {
         grad: &mut [f32],
         work: &Work,
     ) -> Result<()> {
-        let own = self.own(frames);
-        if own.is_empty() {
+        let local = self.local_frames(frames);
+        if local.is_empty() {
             return Ok(());
         }
         let mut cells = vec![0.0; self.coarse.layout.len()];
@@ -272,7 +272,7 @@ impl ScatteredLight {
         };
         let sources: Vec<HostField> = self.kernels.iter().enumerate().map(source).collect();
         let grad = &mut grad[self.pixels.clone()];
-        self.straight.add_adjoint(own, &sources, grad, work)
+        self.straight.add_adjoint(local, &sources, grad, work)
     }
 }
 
@@ -334,15 +334,15 @@ impl Cells {
     /// Cells over the resin, from below to above what is lit or wanted.
     fn new(
         vial: &dyn Vial,
-        of: &ScatteringLight<'_>,
+        scattering: &ScatteringLight<'_>,
         edges: [f64; 2],
         [lit_low, lit_high]: [f64; 2],
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
-        let (edge, mu) = (edges[0], of.light.resin.attenuation_per_mm);
+        let (edge, mu) = (edges[0], scattering.light.resin.attenuation_per_mm);
         let factor = cells_of_later_orders(edges, mu, radius);
-        let margin = margin_mm(&of.delta_scaled, mu, radius);
+        let margin = margin_mm(&scattering.delta_scaled, mu, radius);
         let [low, high] = fine.bounds_mm();
         let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
         let count =

@@ -37,7 +37,7 @@ fn cells(cell_mm: Option<f64>) -> Params {
 }
 
 /// Collimated light in a resin that scatters.
-fn of(phase: impl Phase + 'static, per_mm: f64) -> Optics {
+fn optics_of(phase: impl Phase + 'static, per_mm: f64) -> Optics {
     Optics {
         scattering: Some(Scattering {
             per_mm,
@@ -114,9 +114,9 @@ fn pairs_of_every_vial_and_phase() {
     ];
     for (i, vial) in vials.into_iter().enumerate() {
         let phases = [
-            of(Rayleigh {}, 0.2),
-            of(HenyeyGreenstein { g: 0.4 }, 0.2),
-            of(HenyeyGreenstein { g: -0.3 }, 0.2),
+            optics_of(Rayleigh {}, 0.2),
+            optics_of(HenyeyGreenstein { g: 0.4 }, 0.2),
+            optics_of(HenyeyGreenstein { g: -0.3 }, 0.2),
         ];
         for (j, scattering) in phases.into_iter().enumerate() {
             let grid = VolumeGrid::centered([9, 14, 13], 0.3);
@@ -145,7 +145,7 @@ fn doses_of_all_purposes_agree_and_have_their_adjoint() {
     };
     // Quarters of a turn of 8 frames repeat, those of 5 do not
     let lights = || vec![light(8, 7, 11, 0.3, 0.2), light(5, 7, 11, 0.3, 0.2)];
-    let optics = [of(Rayleigh {}, 0.2), of(Rayleigh {}, 0.2)];
+    let optics = [optics_of(Rayleigh {}, 0.2), optics_of(Rayleigh {}, 0.2)];
     let grid = VolumeGrid::centered([9, 14, 14], 0.3);
     let x: Vec<f32> = noise(5, 13 * 7 * 11).iter().map(|v| v.abs()).collect();
     let model_of = |purpose| {
@@ -204,7 +204,7 @@ fn a_half_space_sends_back_what_chandrasekhar_computes() {
         light.resin = Resin::absorbing(1.5, 1.0 - albedo);
         light.resin.attenuation_per_mm = 1.0;
         let grid = VolumeGrid::centered([60, 96, 96], 0.25);
-        let isotropic = of(Isotropic {}, albedo);
+        let isotropic = optics_of(Isotropic {}, albedo);
         let back = |edge: f64| {
             let params = cells(Some(edge));
             let one = std::slice::from_ref(&isotropic);
@@ -301,7 +301,10 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
         refractive_index: 1.5,
     };
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
-    let (rayleigh, lobe) = (of(Rayleigh {}, 0.3), of(HenyeyGreenstein { g: 0.4 }, 0.3));
+    let (rayleigh, lobe) = (
+        optics_of(Rayleigh {}, 0.3),
+        optics_of(HenyeyGreenstein { g: 0.4 }, 0.3),
+    );
     let aside = |tilt_rad: f64| Motion {
         tilt_rad,
         offset_mm: [0.3, -0.2],
@@ -340,9 +343,9 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
             (blocks(&whole), blocks(&scattered))
         };
         let [(whole, first), (_, second)] = [1, 2].map(by_paths);
-        let own = Params::default();
-        let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
-        let straight = unscattered(vial, lights.to_vec(), &optics, &own, &grid);
+        let defaults = Params::default();
+        let orders = model(vial, lights.to_vec(), &optics, &defaults, grid.clone()).unwrap();
+        let straight = unscattered(vial, lights.to_vec(), &optics, &defaults, &grid);
         let found = scattered(&dose(&orders, &x), &dose(straight.model(), &x));
         let found = blocks(&found);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
@@ -384,9 +387,9 @@ fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     for vial in vials {
         for (optics, allowed) in [
-            (of(Rayleigh {}, 0.3), 0.0035),
-            (of(Isotropic {}, 0.3), 0.0035),
-            (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.0075),
+            (optics_of(Rayleigh {}, 0.3), 0.0035),
+            (optics_of(Isotropic {}, 0.3), 0.0035),
+            (optics_of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.0075),
         ] {
             let optics = [optics];
             let light = light(24, 8, 32, 0.125, 0.3);
@@ -403,8 +406,8 @@ fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
                 blocks(&dose(&paths.unwrap(), &x))
             };
             let paths = [1, 2].map(by_paths);
-            let own = Params::default();
-            let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
+            let defaults = Params::default();
+            let orders = model(vial, lights.to_vec(), &optics, &defaults, grid.clone()).unwrap();
             let (rms, most) = off(&blocks(&dose(&orders, &x)), &paths);
             assert!(
                 rms < allowed && most < 0.025,
@@ -419,7 +422,7 @@ fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
 fn light_that_wanders_far_above_what_is_lit_comes_back() {
     // Scattered fifteen times before it is absorbed: with one free path of resin above and below 5.5 % of the dose would be missing
     let grid = VolumeGrid::centered([8, 16, 16], 0.25);
-    let optics = [of(Rayleigh {}, 1.5)];
+    let optics = [optics_of(Rayleigh {}, 1.5)];
     let mut light = light(24, 8, 32, 0.125, 1.5);
     light.resin.attenuation_per_mm = 1.6;
     let x = two_bars();
@@ -430,8 +433,8 @@ fn light_that_wanders_far_above_what_is_lit_comes_back() {
         ..Default::default()
     };
     let paths = monte_carlo::model(&BATH, &lights, &optics, &params, grid.clone()).unwrap();
-    let own = Params::default();
-    let orders = model(&BATH, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
+    let defaults = Params::default();
+    let orders = model(&BATH, lights.to_vec(), &optics, &defaults, grid.clone()).unwrap();
     let [by_paths, by_orders] = [dose(&paths, &x), dose(&orders, &x)];
     let sum = |dose: &Volume<f32>| dose.values.iter().map(|&v| f64::from(v)).sum::<f64>();
     let ratio = sum(&by_orders) / sum(&by_paths);
@@ -447,7 +450,10 @@ fn cones_without_an_opening_are_collimated_light() {
         outer_radius_mm: 3.0,
         refractive_index: 1.55,
     };
-    for scattering in [of(Rayleigh {}, 0.3), of(HenyeyGreenstein { g: 0.4 }, 0.3)] {
+    for scattering in [
+        optics_of(Rayleigh {}, 0.3),
+        optics_of(HenyeyGreenstein { g: 0.4 }, 0.3),
+    ] {
         let x: Vec<f32> = noise(5, 24 * 32 * 8).iter().map(|v| v.abs()).collect();
         let doses = |optics: &Optics, rays: usize| {
             let params = Params {
@@ -483,7 +489,7 @@ fn smaller_cells_change_less_and_less() {
         let model = model(
             &BATH,
             vec![light],
-            &[of(Rayleigh {}, 0.3)],
+            &[optics_of(Rayleigh {}, 0.3)],
             &params,
             grid.clone(),
         );
@@ -510,10 +516,10 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
         let model = model(vial, vec![light], &[scattering], &params, grid);
         model.err().unwrap().to_string()
     };
-    let rayleigh = of(Rayleigh {}, 0.2);
+    let rayleigh = optics_of(Rayleigh {}, 0.2);
     assert!(refused(&tube, [4, 8, 8], rayleigh.clone(), None).contains("see each other"));
     assert!(refused(&BATH, [1, 8, 8], rayleigh.clone(), None).contains("single slice"));
-    let peaked = of(HenyeyGreenstein { g: 0.5 }, 0.2);
+    let peaked = optics_of(HenyeyGreenstein { g: 0.5 }, 0.2);
     assert!(refused(&BATH, [4, 8, 8], peaked, None).contains("forward peak"));
     // 6 mm across and high in cells of 1 µm: told what would do, before any array
     let many = refused(&BATH, [4, 8, 8], rayleigh, Some(1e-3));
@@ -527,7 +533,7 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
 #[ignore = "slow"]
 fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
     // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows; light is made sharper by a thousandth less where its pixels are larger
-    let scattering = of(Rayleigh {}, 0.2);
+    let scattering = optics_of(Rayleigh {}, 0.2);
     let grid = VolumeGrid::centered([12, 12, 12], 0.16);
     let params = cells(Some(0.49));
     let mut by_height = Vec::new();
@@ -567,7 +573,7 @@ fn far_from_a_narrow_beam_voxels_hold_what_monte_carlo_paths_bring_them_at_the_w
     narrow.pixels.azimuths.truncate(1);
     let (sin, cos) = narrow.pixels.azimuths[0].sin_cos();
     let lights = [narrow];
-    let optics = [of(Rayleigh {}, 0.3)];
+    let optics = [optics_of(Rayleigh {}, 0.3)];
     let x = vec![1.0; 8];
     let params = monte_carlo::Params {
         paths_per_pixel: 4096,
@@ -575,8 +581,8 @@ fn far_from_a_narrow_beam_voxels_hold_what_monte_carlo_paths_bring_them_at_the_w
         ..Default::default()
     };
     let paths = monte_carlo::model(&BATH, &lights, &optics, &params, grid.clone()).unwrap();
-    let own = Params::default();
-    let orders = model(&BATH, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
+    let defaults = Params::default();
+    let orders = model(&BATH, lights.to_vec(), &optics, &defaults, grid.clone()).unwrap();
     let [by_paths, by_orders] = [dose(&paths, &x), dose(&orders, &x)];
     // Farther than 1 mm from the beam: sums over voxels that are all resin, and over those that the wall cuts
     let mut sums = [[0.0f64; 2]; 2];

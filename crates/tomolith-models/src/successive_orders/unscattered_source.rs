@@ -14,7 +14,7 @@ pub(super) struct Channel(pub(super) Vec<(Harmonic, f64)>);
 impl Channel {
     /// The weight of a harmonic; None when the field says nothing about it.
     pub(super) fn weight(&self, harmonic: Harmonic) -> Option<f64> {
-        let found = self.0.iter().find(|(own, _)| *own == harmonic);
+        let found = self.0.iter().find(|(known, _)| *known == harmonic);
         found.map(|&(_, weight)| weight)
     }
 }

@@ -157,9 +157,14 @@ impl Spreading for Beam {
 
     /// The end of the band casts a shadow whose edge is two √(λ·depth) wide.
     fn spreads(&self, side: usize, depth: f64) -> f64 {
-        let own = self.highest(side) + self.tilt;
-        let own = self.aperture.map_or(own, |aperture| own.min(aperture));
-        let slope = own / (self.wavenumber.powi(2) - own * own).max(0.0).sqrt();
+        let highest = self.highest(side) + self.tilt;
+        let highest = self
+            .aperture
+            .map_or(highest, |aperture| highest.min(aperture));
+        let slope = highest
+            / (self.wavenumber.powi(2) - highest * highest)
+                .max(0.0)
+                .sqrt();
         depth * slope + 2.0 * (depth / self.wavenumber).sqrt()
     }
 

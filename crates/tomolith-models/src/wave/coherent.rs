@@ -73,7 +73,7 @@ impl<T: Number> Coherent<T> {
                 .sampling
                 .fields
                 .as_ref()
-                .map_or(0.0, |own| own.middle),
+                .map_or(0.0, |fields| fields.middle),
             interpolation,
             windows,
             limit,
@@ -359,9 +359,9 @@ impl<T: Number> Coherent<T> {
         self.propagate(scratches, |depth, mode, [psi, chi]| {
             let weight = T::of(mode.weight);
             let both = |i: usize| two * (psi[i] * chi[i].conj()).re;
-            let own = |i: usize| chi[i].norm_sqr();
+            let power = |i: usize| chi[i].norm_sqr();
             self.windows.add_at(depth, first, row, weight, both);
-            self.windows.add_at(depth, second, row, weight, own);
+            self.windows.add_at(depth, second, row, weight, power);
         });
     }
 }

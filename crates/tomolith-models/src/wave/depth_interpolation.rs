@@ -59,8 +59,8 @@ impl<T: Number> Ring<T> {
         self.row = (field.len().div_ceil(LANES) | 1) * LANES;
         self.size = size;
         self.numbers.resize(2 * size * self.row, T::zero());
-        let own = &mut self.numbers[2 * (index % size) * self.row..][..2 * self.row];
-        let (re, im) = own.split_at_mut(self.row);
+        let slot = &mut self.numbers[2 * (index % size) * self.row..][..2 * self.row];
+        let (re, im) = slot.split_at_mut(self.row);
         for ((re, im), v) in re.iter_mut().zip(im).zip(field) {
             (*re, *im) = (v.re, v.im);
         }
@@ -71,8 +71,8 @@ impl<T: Number> Ring<T> {
         outs.resize_with(outs.len().max(sums.len()), Vec::new);
         let rows = |sum: &Sum<T>| {
             [0, 1].map(|part| {
-                let of = |field: &u32| 2 * (field % self.size as u32) + part;
-                sum.fields.iter().map(of).collect::<Vec<u32>>()
+                let row_of = |field: &u32| 2 * (field % self.size as u32) + part;
+                sum.fields.iter().map(row_of).collect::<Vec<u32>>()
             })
         };
         let slots: Vec<[Vec<u32>; 2]> = sums.iter().map(rows).collect();
@@ -106,7 +106,7 @@ pub(super) struct DepthInterpolation<T> {
     first: Vec<i64>,
     taps: usize,
     /// Fields between that are kept on the way back.
-    kept: usize,
+    ring_size: usize,
 }
 
 /// Buffers: fields of the last depths that were transformed, and what was sent back between them.
@@ -133,26 +133,26 @@ impl<T: Number> DepthInterpolation<T> {
     pub(super) fn new(sampling: &Sampling) -> Option<Self> {
         let fields = sampling.fields.as_ref()?;
         let wanted = sampling.along.computed;
-        let mut own = DepthInterpolation {
+        let mut interpolation = DepthInterpolation {
             forth: vec![Sum::default(); wanted.count],
             back: vec![Sum::default(); fields.depths.count],
             first: Vec::with_capacity(wanted.count),
             taps: fields.taps.taps,
-            kept: 0,
+            ring_size: 0,
         };
         let mut weights = Vec::new();
         for index in 0..wanted.count {
             let place = fields.depths.place(wanted.at(index));
             let first = fields.taps.at(place, &mut weights);
-            own.first.push(first);
+            interpolation.first.push(first);
             for (slot, &weight) in (first..).zip(&weights) {
                 let depth = mirrored(slot);
-                own.forth[index].add(depth, weight, slot < 0);
-                own.back[depth].add(index, weight, slot < 0);
+                interpolation.forth[index].add(depth, weight, slot < 0);
+                interpolation.back[depth].add(index, weight, slot < 0);
             }
         }
-        own.kept = own.most_kept();
-        Some(own)
+        interpolation.ring_size = interpolation.most_kept();
+        Some(interpolation)
     }
 
     /// Both sums as data.
@@ -160,7 +160,7 @@ impl<T: Number> DepthInterpolation<T> {
     where
         T: Into<f32>,
     {
-        let of = |sum: &Sum<T>| {
+        let taps_of = |sum: &Sum<T>| {
             let weights = sum.weights[0].iter().zip(&sum.weights[1]);
             let taps = sum.fields.iter().zip(weights);
             taps.map(|(&field, (&re, &im))| FieldTap {
@@ -169,7 +169,7 @@ impl<T: Number> DepthInterpolation<T> {
             })
             .collect()
         };
-        [&self.forth, &self.back].map(|sums| sums.iter().map(of).collect())
+        [&self.forth, &self.back].map(|sums| sums.iter().map(taps_of).collect())
     }
 
     /// How many fields between those that are sent back at once wait for.
@@ -226,7 +226,7 @@ impl<T: Number> DepthInterpolation<T> {
     pub(super) fn send(&self, which: Range<usize>, buffers: &mut InterpolationBuffers<T>) {
         let InterpolationBuffers { sent, now, .. } = buffers;
         for (index, field) in which.zip(now) {
-            sent.put(index, self.kept, field);
+            sent.put(index, self.ring_size, field);
         }
     }
 

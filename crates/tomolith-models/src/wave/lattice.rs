@@ -49,12 +49,13 @@ impl Lattice {
         error: f64,
         most: f64,
     ) -> Self {
-        let of = |ends: Ends| Lattice::fewest_with(taps, signal, depths, ends, error, most);
-        let mirrored = of(Ends::Mirrored);
+        let lattice_with =
+            |ends: Ends| Lattice::fewest_with(taps, signal, depths, ends, error, most);
+        let mirrored = lattice_with(Ends::Mirrored);
         if depths[0] > 0.0 && depths[1] > depths[0] {
-            let own = of(Ends::Both);
-            if own.count < mirrored.count {
-                return own;
+            let both = lattice_with(Ends::Both);
+            if both.count < mirrored.count {
+                return both;
             }
         }
         mirrored

@@ -76,7 +76,11 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     }
 
     /// Which of this light's frames are among these of all lights.
-    pub(super) fn own(&self, frames: &Range<usize>, layout: &PatternLayout) -> Range<usize> {
+    pub(super) fn local_frames(
+        &self,
+        frames: &Range<usize>,
+        layout: &PatternLayout,
+    ) -> Range<usize> {
         let count = layout.grid.frames();
         let local = |f: usize| f.saturating_sub(self.first_frame).min(count);
         local(frames.start)..local(frames.end)
@@ -196,7 +200,14 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     }
 
     /// dose += samples of frames, of which this dose's is one of several
-    fn turn_onto(&self, frames: &[usize], which: usize, of: usize, samples: &[T], dose: &mut [T]) {
+    fn turn_onto(
+        &self,
+        frames: &[usize],
+        which: usize,
+        doses: usize,
+        samples: &[T],
+        dose: &mut [T],
+    ) {
         let [nx, ny] = self.plane;
         let of_dose = self.rows();
         let band = TILE * nx * self.row;
@@ -207,7 +218,7 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
                 for x in (0..nx).step_by(TILE) {
                     let xs = x..(x + TILE).min(nx);
                     for (i, &frame) in frames.iter().enumerate() {
-                        let first = (i * of + which) * of_dose;
+                        let first = (i * doses + which) * of_dose;
                         let (xs, ys) = (xs.clone(), ys.clone());
                         let sampling = &self.propagation.windows().sampling;
                         self.turn.enumerate(frame, first, xs, ys, sampling, entries);
@@ -223,9 +234,9 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         for first in (0..self.propagation.windows().voxels).step_by(LANES_AT_ONCE) {
             let lanes = (self.propagation.windows().voxels - first).min(LANES_AT_ONCE);
             for (i, &column) in entries.voxels.iter().enumerate() {
-                let own = entries.starts[i] as usize..entries.starts[i + 1] as usize;
+                let range = entries.starts[i] as usize..entries.starts[i + 1] as usize;
                 let at = (column as usize - y * self.plane[0]) * self.row + first;
-                let (slots, weights) = (&entries.slots[own.clone()], &entries.weights[own]);
+                let (slots, weights) = (&entries.slots[range.clone()], &entries.weights[range]);
                 let out = &mut rows[at..];
                 T::add_rows(out, samples, slots, weights, self.row, first, lanes);
             }
@@ -247,9 +258,10 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
                 for first in (0..self.propagation.windows().voxels).step_by(LANES_AT_ONCE) {
                     let lanes = (self.propagation.windows().voxels - first).min(LANES_AT_ONCE);
                     for (i, &sample) in sorted.samples.iter().enumerate() {
-                        let own = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
+                        let range = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
                         let at = sample as usize * self.row + first;
-                        let (voxels, weights) = (&sorted.voxels[own.clone()], &sorted.weights[own]);
+                        let (voxels, weights) =
+                            (&sorted.voxels[range.clone()], &sorted.weights[range]);
                         let out = &mut samples[at..];
                         T::add_rows(out, cotangent, voxels, weights, self.row, first, lanes);
                     }
@@ -262,14 +274,14 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     pub(super) fn pull_back(
         &self,
         layout: &PatternLayout,
-        own: Range<usize>,
+        frames: Range<usize>,
         x: &[T],
         cotangent: &[T],
         grad: &mut [T],
         work: &Work,
     ) -> Result<()> {
         let columns = layout.grid.columns;
-        let frames = layout.split_frames(own, grad);
+        let frames = layout.split_frames(frames, grad);
         frames.into_iter().par_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0
@@ -280,8 +292,8 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
             let first = layout.elements_of(frame..frame + 1).start;
             let mut take = |column: usize, values: &[Complex<T>]| {
                 let work = &runs[column];
-                let own = &mut grad[work.offset - first..][..work.count as usize];
-                for (to, value) in own.iter_mut().zip(&values[work.bottom as usize..]) {
+                let pixels = &mut grad[work.offset - first..][..work.count as usize];
+                for (to, value) in pixels.iter_mut().zip(&values[work.bottom as usize..]) {
                     *to = value.re;
                 }
             };
@@ -382,6 +394,6 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
 
 /// Whether any pixel of a frame is lit.
 fn is_lit<T: Number>(layout: &PatternLayout, frame: usize, x: &[T]) -> bool {
-    let own = layout.elements_of(frame..frame + 1);
-    x[own].iter().any(|v| !v.is_zero())
+    let elements = layout.elements_of(frame..frame + 1);
+    x[elements].iter().any(|v| !v.is_zero())
 }

@@ -93,8 +93,8 @@ impl<P: Propagation<f32>> Lights<P> {
         work: &Work,
     ) -> Result<()> {
         for (light, layout) in self.each() {
-            let own = light.own(&frames, layout);
-            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), work)?;
+            let local = light.local_frames(&frames, layout);
+            light.add_dose(layout, local, x.as_slice(), dose.as_mut_slice(), work)?;
         }
         Ok(())
     }
@@ -109,9 +109,16 @@ impl<P: Propagation<f32>> Lights<P> {
         work: &Work,
     ) -> Result<()> {
         for (light, layout) in self.each() {
-            let own = light.own(&frames, layout);
-            let grad = &mut grad.as_mut_slice()[layout.elements_of(own.clone())];
-            light.pull_back(layout, own, x.as_slice(), cotangent.as_slice(), grad, work)?;
+            let local = light.local_frames(&frames, layout);
+            let grad = &mut grad.as_mut_slice()[layout.elements_of(local.clone())];
+            light.pull_back(
+                layout,
+                local,
+                x.as_slice(),
+                cotangent.as_slice(),
+                grad,
+                work,
+            )?;
         }
         Ok(())
     }

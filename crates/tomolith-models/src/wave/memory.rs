@@ -38,8 +38,8 @@ impl<T: Number> Windows<T> {
     pub(super) fn of_frame(&self, row: usize, doses: usize) -> usize {
         let [nu, nz] = self.counts();
         let field = self.width() * self.voxels;
-        let waiting =
-            (self.sampling.fields.as_ref()).map_or(0, |own| 2 * (own.taps.taps + WAITING) * field);
+        let waiting = (self.sampling.fields.as_ref())
+            .map_or(0, |fields| 2 * (fields.taps.taps + WAITING) * field);
         let fields = SPECTRA * nu * nz + self.mixed() + field + waiting;
         let sampling = &self.sampling;
         let depths = sampling.along.computed.count;

@@ -55,12 +55,12 @@ impl<T: Number> Rows<T> {
         // Row by row, so that what is combined is near
         for j in 0..rows {
             for (i, range) in self.starts.windows(2).enumerate() {
-                let own = range[0] as usize..range[1] as usize;
+                let entries = range[0] as usize..range[1] as usize;
                 let of_row = |&slot: &u32| slot * rows as u32 + j as u32;
                 slots.clear();
-                slots.extend(self.slots[own.clone()].iter().map(of_row));
+                slots.extend(self.slots[entries.clone()].iter().map(of_row));
                 let to = &mut out[(i * rows + j) * row..][..row];
-                T::add_rows(to, source, &slots, &self.weights[own], row, 0, row);
+                T::add_rows(to, source, &slots, &self.weights[entries], row, 0, row);
             }
         }
     }

@@ -160,10 +160,10 @@ fn ways_along(beam: &dyn Spreading, depths: [f64; 2], error: f64) -> Vec<Rungs> 
             .filter_map(of_middle)
             .min_by_key(|way| way.depths.count);
         if let Some(fields) = fewest {
-            let own = closer
+            let finer = closer
                 .iter()
                 .filter(|way| way.computed.count > fields.depths.count);
-            ways.extend(own.map(|way| Rungs {
+            ways.extend(finer.map(|way| Rungs {
                 fields: Some(fields),
                 ..*way
             }));
@@ -198,7 +198,7 @@ fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f6
         let step = Taps::widest(taps, signal, error, most);
         smooth((window / step - 1e-6).ceil() as usize)
     };
-    let of = |step: f64, count: usize| Lattice {
+    let lattice_of = |step: f64, count: usize| Lattice {
         start: 0.0,
         step,
         count,
@@ -209,13 +209,17 @@ fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f6
     let mut ways = Vec::new();
     for taps in TAPS {
         let count = computed(taps, error);
-        ways.push(Rungs::new(of(window / count as f64, count), taps, None));
+        ways.push(Rungs::new(
+            lattice_of(window / count as f64, count),
+            taps,
+            None,
+        ));
         let count = computed(taps, half);
-        let own = of(window / count as f64, count);
+        let lattice = lattice_of(window / count as f64, count);
         for (step, close_taps) in close {
-            if step < own.step && close_taps < taps {
-                let closer = of(step, (part / step).ceil() as usize + close_taps + 1);
-                ways.push(Rungs::new(own, taps, Some((closer, close_taps))));
+            if step < lattice.step && close_taps < taps {
+                let closer = lattice_of(step, (part / step).ceil() as usize + close_taps + 1);
+                ways.push(Rungs::new(lattice, taps, Some((closer, close_taps))));
             }
         }
     }
@@ -236,7 +240,7 @@ pub(super) struct SamplingRequirements {
 impl Sampling {
     /// Depths that are transformed, on one side of the focal plane.
     pub(super) fn transformed(&self) -> Lattice {
-        (self.fields.as_ref()).map_or(self.along.computed, |own| own.depths)
+        (self.fields.as_ref()).map_or(self.along.computed, |fields| fields.depths)
     }
 
     /// The quickest sampling with the errors that the settings allow; what is too much of it.
@@ -284,12 +288,12 @@ impl Sampling {
             let [u, z] = padded;
             return Err(format!("light needs {depths} depths of {u} × {z} pixels"));
         }
-        let fields = a.fields.and_then(|own| {
-            let signal = beam.field(own.middle)?;
+        let fields = a.fields.and_then(|fields| {
+            let signal = beam.field(fields.middle)?;
             Some(Fields {
-                depths: own.depths,
-                middle: own.middle,
-                taps: Taps::new(own.taps, &signal, &own.depths),
+                depths: fields.depths,
+                middle: fields.middle,
+                taps: Taps::new(fields.taps, &signal, &fields.depths),
             })
         });
         Ok(Sampling {

@@ -124,15 +124,15 @@ fn collect<T: Number>(line: &[Complex<T>], band: usize, to: &mut [Complex<T>]) {
 
 /// Lateral samples that voxels are interpolated from, and the indices of those that are computed, counted from the first pixel.
 fn lateral(sampling: &Sampling, u: &Side) -> (Places, Range<i64>) {
-    let own = &sampling.across;
-    let index = |mm: f64| (mm - u.from) / own.computed.step;
-    let half = own.taps.taps as i64 / 2;
+    let across = &sampling.across;
+    let index = |mm: f64| (mm - u.from) / across.computed.step;
+    let half = across.taps.taps as i64 / 2;
     let [low, high] = u.voxels_at(0.0);
-    let Some((closer, taps)) = &own.closer else {
+    let Some((closer, taps)) = &across.closer else {
         let samples = index(low).floor() as i64 - half..index(high).ceil() as i64 + half + 1;
         let last = Places {
-            from: u.from + samples.start as f64 * own.computed.step,
-            step: own.computed.step,
+            from: u.from + samples.start as f64 * across.computed.step,
+            step: across.computed.step,
             count: (samples.end - samples.start) as usize,
         };
         return (last, samples);
@@ -478,12 +478,12 @@ impl<T: Number> Windows<T> {
 
     /// Multiplications and additions of the transforms of an image and of one depth.
     pub(super) fn operations(&self) -> [f64; 2] {
-        let of = |n: usize, times: usize| operations(n as f64) * times as f64;
+        let cost_of = |n: usize, times: usize| operations(n as f64) * times as f64;
         let [mu, mz] = self.sampling.padded;
         let [nu, nz] = self.counts();
         [
-            of(mz, self.pixels[0]) + of(mu, nz),
-            of(self.heights.2, nu) + of(self.sampling.across.computed.count, self.voxels),
+            cost_of(mz, self.pixels[0]) + cost_of(mu, nz),
+            cost_of(self.heights.2, nu) + cost_of(self.sampling.across.computed.count, self.voxels),
         ]
     }
 }

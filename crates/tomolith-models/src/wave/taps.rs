@@ -207,13 +207,13 @@ impl Taps {
         let table = Table::new(signal, lattice.step, taps, ROWS);
         let ends = lattice.ends;
         let lower = if ends == Ends::More { 0 } else { taps / 2 };
-        let of = |lower: usize| {
+        let table_of = |lower: usize| {
             let rows = (0..=ROWS).map(|row| table.weights(taps, first_of(taps, lower), row).0);
             rows.flatten().map(|w| w as f32).collect()
         };
         Taps {
             taps,
-            tables: (0..=lower).map(of).collect(),
+            tables: (0..=lower).map(table_of).collect(),
             ends,
             last: lattice.count as i64 - 1,
         }
@@ -429,13 +429,13 @@ mod tests {
     fn few_samples_of_a_disc_hold_its_depths() {
         // An even band of ½ cycle over the radius: with every doubling of the taps that few samples give the error falls
         let signal = even(0.5);
-        let of = |count: usize, taps: usize| {
+        let error_of = |count: usize, taps: usize| {
             let step = 1.0 / (count as f64 - 0.5 + OVERHANG);
             Taps::error_in_disc(taps, &signal, &lattice(step, count, Ends::Mirrored))
         };
-        assert!(of(3, 2) > 10.0 * of(3, 4));
-        assert!(of(3, 4) > 2.0 * of(3, 6));
-        assert!(of(3, 4) > 2.0 * of(4, 4));
+        assert!(error_of(3, 2) > 10.0 * error_of(3, 4));
+        assert!(error_of(3, 4) > 2.0 * error_of(3, 6));
+        assert!(error_of(3, 4) > 2.0 * error_of(4, 4));
         // And what it says is what waves of random phases leave, at the places of the disc
         let (count, taps) = (4, 4);
         let depths = lattice(1.0 / (count as f64 - 0.25), count, Ends::Mirrored);
@@ -458,7 +458,7 @@ mod tests {
             }
             weight += share;
         }
-        let (found, expected) = ((square / weight).sqrt(), of(count, taps));
+        let (found, expected) = ((square / weight).sqrt(), error_of(count, taps));
         assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
     }
 }

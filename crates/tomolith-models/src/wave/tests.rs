@@ -226,8 +226,8 @@ fn dose_is_the_direct_sum_over_frequencies() {
         let frames: Vec<Direct> = (0..3)
             .flat_map(|frame| {
                 let modes = modes_of_the_page(&light, &params).into_iter();
-                let own = |mode| Direct::new(&light, frame, &x, padded, aperture, mode);
-                modes.map(own).collect::<Vec<_>>()
+                let direct = |mode| Direct::new(&light, frame, &x, padded, aperture, mode);
+                modes.map(direct).collect::<Vec<_>>()
             })
             .collect();
         let modes = frames.len() / 3;
@@ -280,7 +280,7 @@ fn interpolating(settings: Settings) -> (Light, Precise) {
 fn light_of_interpolated_fields_is_the_direct_sum() {
     let (light, model) = interpolating(settings(1e-4));
     let sampling = &model.0.propagation.windows().sampling;
-    let fields = sampling.fields.as_ref().map(|own| own.depths.count);
+    let fields = sampling.fields.as_ref().map(|fields| fields.depths.count);
     assert!(fields.is_some_and(|count| count < sampling.along.computed.count));
     let x = amplitudes(7, model.1.len());
     let dose = dose_of(&model, &x);
@@ -332,7 +332,7 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
     ] {
         let (built, pixels, layout) = &model;
         let x = amplitudes(1, pixels.len());
-        let kept = check::on_threads(1, || {
+        let held = check::on_threads(1, || {
             let work = Work::new();
             let mut doses = [vec![0.0; layout.len()], vec![0.0; layout.len()]];
             let doses = doses.each_mut().map(Vec::as_mut_slice);
@@ -347,8 +347,8 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
         let windows = built.propagation.windows();
         // Kernels and samples that are gathered together are not the scratches'
         let reckoned = windows.of_frame(layout.row, 2);
-        let ratio = reckoned as f64 / kept as f64;
-        assert!((0.8..2.0).contains(&ratio), "{reckoned} {kept}");
+        let ratio = reckoned as f64 / held as f64;
+        assert!((0.8..2.0).contains(&ratio), "{reckoned} {held}");
     }
 }
 
@@ -492,11 +492,11 @@ fn a_grating_repeats_itself_at_the_talbot_distance() {
         let u = grid.y(iy);
         // (1 + cos)²/4, and half a period beside it half way
         let expected = (0.5 + 0.5 * (TAU * u / period).cos()).powi(2);
-        let beside = (0.5 - 0.5 * (TAU * u / period).cos()).powi(2);
+        let shifted = (0.5 - 0.5 * (TAU * u / period).cos()).powi(2);
         let size = envelope(u, 0.001).powi(2);
         for (found, expected) in [
             (here[iy], expected),
-            (half[iy], beside),
+            (half[iy], shifted),
             (full[iy], expected),
         ] {
             // Orders walk apart by λ/p·d = 16 µm under the envelope: 1 − cosh-like terms of (16/90)²/2
@@ -547,7 +547,7 @@ fn energy_of_a_frame_is_the_same_at_all_depths() {
 #[test]
 fn dark_pixels_around_a_pattern_change_nothing() {
     // Pixels of 2 µm make an aperture of 0.1: a spot of a smaller one, or of light that comes from afar, is wider than the image
-    let of = |edge: usize, params: &Params| {
+    let dose_with = |edge: usize, params: &Params| {
         let pixels = PatternGrid::full_turn(1, 0.0, edge, edge, 2e-3);
         let light = Light::new(pixels, Resin::pure_radon(1.5));
         let grid = VolumeGrid::centered([4, 14, 14], 2e-3);
@@ -571,7 +571,7 @@ fn dark_pixels_around_a_pattern_change_nothing() {
             focus_mm,
             ..Params::default()
         };
-        let (alone, amid) = (of(16, &params), of(96, &params));
+        let (alone, amid) = (dose_with(16, &params), dose_with(96, &params));
         let square = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>();
         let off = square(&mut alone.iter().zip(&amid).map(|(a, b)| a - b));
         let error = (off / square(&mut amid.iter().copied())).sqrt();
@@ -592,17 +592,17 @@ fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
     // Their f_lim = 1/(λ√((2Δf·d)² + 1)), with Δf of a window of twice the guard, and their two ellipses
     let k = 1.5 / 405e-6f64;
     let limits = guard.map(|g| k / ((2.0 * depth / (2.0 * g)).powi(2) + 1.0).sqrt());
-    let mut kept = 0;
+    let mut count = 0;
     let indices = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
     for (value, index) in spectrum.iter().zip(indices) {
         let f = [0, 1].map(|i| index[i] as f64 / windows.window[i]);
         let within = (0..2).all(|i| (f[i] / limits[i]).powi(2) + (f[1 - i] / k).powi(2) <= 1.0);
         assert_eq!(value.re == 1.0, within, "{index:?}");
-        kept += usize::from(within);
+        count += usize::from(within);
     }
     assert!(
-        kept > spectrum.len() / 10 && kept < spectrum.len() / 2,
-        "{kept}"
+        count > spectrum.len() / 10 && count < spectrum.len() / 2,
+        "{count}"
     );
 }
 
@@ -624,7 +624,7 @@ fn a_hundredth_of_the_pixels_aperture_still_gives_light() {
 
 #[test]
 fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
-    let said = |resin: Resin, focus_mm: f64, arc: f64| {
+    let warning_of = |resin: Resin, focus_mm: f64, arc: f64| {
         let mut light = light(8);
         light.resin = resin;
         light.pixels.frame_arc = arc / 8.0;
@@ -632,10 +632,10 @@ fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
         must_fit(&[light], &params, &grid()).unwrap().join("; ")
     };
     let (clear, absorbing) = (Resin::pure_radon(1.5), Resin::absorbing(1.5, 20.0));
-    assert_eq!(said(clear, 0.0, PI), "");
-    assert_eq!(said(absorbing, 0.0, 2.0 * PI), "");
-    assert!(said(absorbing, 0.0, PI).contains("takes 20 per mm"));
-    assert!(said(clear, 0.01, PI).contains("0.01 mm off the axis"));
+    assert_eq!(warning_of(clear, 0.0, PI), "");
+    assert_eq!(warning_of(absorbing, 0.0, 2.0 * PI), "");
+    assert!(warning_of(absorbing, 0.0, PI).contains("takes 20 per mm"));
+    assert!(warning_of(clear, 0.01, PI).contains("0.01 mm off the axis"));
 }
 
 #[test]

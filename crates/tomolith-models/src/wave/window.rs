@@ -94,11 +94,11 @@ pub(super) fn wide(
 fn narrowest(slopes: &[(f64, f64)], side: &Side, depth: f64, error: f64) -> f64 {
     let (reach, length) = (side.reach(depth), side.pitch * side.pixels as f64);
     let lost = |window: f64| -> f64 {
-        let of = |&(slope, power): &(f64, f64)| {
+        let loss_of = |&(slope, power): &(f64, f64)| {
             let travel = slope * depth;
             power * (travel - window + reach).min(reach - travel).max(0.0) / length
         };
-        slopes.iter().map(of).sum()
+        slopes.iter().map(loss_of).sum()
     };
     let (mut low, mut high) = (reach, 2.0 * reach);
     for _ in 0..12 {

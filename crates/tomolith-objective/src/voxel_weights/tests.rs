@@ -45,10 +45,9 @@ fn regions_without_a_voxel_that_counts_are_told() {
     room.labels.values[0] = label::OUTSIDE;
     let at = |range: [f64; 2]| json!({"radius_mm": range, "value": 2.0});
     let reach = room.layout.grid.x(5).hypot(room.layout.grid.y(0));
-    let empty = |own: Value| {
-        let mut own = own;
-        own["bclp"] = json!({});
-        common(own)
+    let empty = |mut section: Value| {
+        section["bclp"] = json!({});
+        common(section)
             .empty_regions(&room.ground(Path::new(".")))
             .unwrap()
     };

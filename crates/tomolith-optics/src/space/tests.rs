@@ -564,8 +564,9 @@ fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
         let (a, b) = (mapped.trace(ray), open.trace(ray));
         assert!((a.balance.total() - 1.0).abs() < 1e-12);
         let depth = |path: &RayPath| {
-            let of = |segment: &PathSegment| segment.length * segment.uptake.attenuation_per_mm;
-            path.segments.iter().map(of).sum::<f64>()
+            let loss_of =
+                |segment: &PathSegment| segment.length * segment.uptake.attenuation_per_mm;
+            path.segments.iter().map(loss_of).sum::<f64>()
         };
         assert!((length(&a) - length(&b)).abs() < 1e-9 && a.segments.len() > 3);
         let taken = b.segments[0].power * (1.0 - (-depth(&a)).exp());
@@ -687,11 +688,12 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
         } else {
             way
         };
-        let own = half(x);
+        let first = half(x);
         let mut power = [0.0; 2];
-        power[usize::from(x > 0.0)] += 1.0 - (-own * turn).exp();
+        power[usize::from(x > 0.0)] += 1.0 - (-first * turn).exp();
         let other = half(-x);
-        power[usize::from(x < 0.0)] += (-own * turn).exp() * (1.0 - (-other * (way - turn)).exp());
+        power[usize::from(x < 0.0)] +=
+            (-first * turn).exp() * (1.0 - (-other * (way - turn)).exp());
         // Of what is lost in a half, only this is not scattered again
         [0, 1].map(|side| power[side] * HALVES[side] / (HALVES[side] + MILK_PER_MM))
     };
@@ -726,16 +728,16 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
         let way = 2.0 - again[0].ray.from[0];
         mean[0] += way / f64::from(paths);
         mean[1] += way * way / f64::from(paths);
-        let mut own = [0.0; 2];
+        let mut deposit = [0.0; 2];
         for segment in again {
             let uptake = segment.uptake;
             let lost = segment.power * -(-uptake.attenuation_per_mm * segment.length).exp_m1();
             let side = usize::from(segment.ray.at(segment.length / 2.0)[0] > 0.0);
-            own[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
+            deposit[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
         }
         for side in 0..2 {
-            powers[side] += own[side] / f64::from(paths);
-            squares[side] += own[side] * own[side] / f64::from(paths);
+            powers[side] += deposit[side] / f64::from(paths);
+            squares[side] += deposit[side] * deposit[side] / f64::from(paths);
         }
     }
     // Five standard errors
@@ -805,23 +807,23 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
         let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
         let [direct, once] = [0, 1].map(|order| {
-            let own = path
+            let segments = path
                 .segments
                 .iter()
                 .filter(|segment| segment.order == order);
-            own.collect::<Vec<_>>()
+            segments.collect::<Vec<_>>()
         });
         // What goes on is what the whole curve scattered, from a point of it
         let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
         assert!((once[0].power - expected).abs() < 1e-12);
         let from = once[0].ray.from;
-        let beside = |segment: &&&PathSegment| {
+        let passes = |segment: &&&PathSegment| {
             let to: [f64; 3] = std::array::from_fn(|k| from[k] - segment.ray.from[k]);
             let along = dot(to, segment.ray.direction);
             let off = cross(to, segment.ray.direction);
             (-1e-9..segment.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
         };
-        assert!(direct.iter().any(|segment| beside(&segment)), "{i}");
+        assert!(direct.iter().any(|segment| passes(&segment)), "{i}");
         // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
         let invariants = |segment: &PathSegment| {
             let middle = segment.ray.at(segment.length / 2.0);

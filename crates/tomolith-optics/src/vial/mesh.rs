@@ -406,8 +406,8 @@ mod tests {
         let cup = |half: f64, bottom: f64| {
             let mut mesh = cuboid([-half, -half, bottom], [half, half, 5.0]);
             let is_top = |t: &[u32; 3]| t.iter().all(|&v| mesh.vertices[v as usize][2] == 5.0);
-            let kept = mesh.triangles.iter().filter(|t| !is_top(t));
-            mesh.triangles = kept.copied().collect();
+            let sides = mesh.triangles.iter().filter(|t| !is_top(t));
+            mesh.triangles = sides.copied().collect();
             mesh
         };
         let held = vial(&cup(3.0, -5.0), &cup(2.5, -4.0)).unwrap();
@@ -429,7 +429,7 @@ mod tests {
         let mut open = inner.clone();
         open.triangles.pop();
         assert!(refused(&open).contains("3 edges are open"));
-        let beside = cuboid([1.0; 3], [2.0; 3]);
-        assert!(refused(&beside).contains("origin"));
+        let elsewhere = cuboid([1.0; 3], [2.0; 3]);
+        assert!(refused(&elsewhere).contains("origin"));
     }
 }

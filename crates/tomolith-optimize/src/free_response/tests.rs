@@ -82,10 +82,10 @@ impl Known {
 
     /// Least squares with this response.
     fn with_response(&self, values: &[f64]) -> Box<dyn Objective<HostField>> {
-        let mut own = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+        let mut objective = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
         let response = logistic_of(values[0], values[1]);
-        own.set_response(&response).unwrap();
-        own
+        objective.set_response(&response).unwrap();
+        objective
     }
 
     fn free(&self, ranges: [[f64; 2]; 2], start: [f64; 2]) -> FreeResponse<'_, HostField> {
@@ -161,8 +161,8 @@ fn a_search_never_raises_the_loss_and_leaves_the_objective_with_what_it_found() 
     free.fit(&known.dose, &[]).unwrap();
     let loss = free.objective().value(&known.dose);
     assert!(loss < first, "{loss} {first}");
-    let own = known.with_response(free.values());
-    assert_eq!(own.value(&known.dose), loss);
+    let objective = known.with_response(free.values());
+    assert_eq!(objective.value(&known.dose), loss);
 }
 
 #[test]
@@ -195,8 +195,8 @@ fn no_cell_of_a_sweep_does_better_by_one_percent() {
     let mut best = f64::INFINITY;
     for steepness in [5.0, 10.0, 20.0, 40.0, 100.0] {
         for midpoint in [0.2, 0.35, 0.5, 0.65, 0.8] {
-            let own = known.fixed(steepness, midpoint, 80);
-            best = best.min(own);
+            let loss = known.fixed(steepness, midpoint, 80);
+            best = best.min(loss);
         }
     }
     assert!(found.loss <= 1.01 * best, "{} {best}", found.loss);
@@ -205,10 +205,10 @@ fn no_cell_of_a_sweep_does_better_by_one_percent() {
 impl Known {
     /// The loss of a run whose response is given.
     fn fixed(&self, steepness: f64, midpoint: f64, iterations: usize) -> f64 {
-        let own = self.with_response(&[steepness, midpoint]);
+        let objective = self.with_response(&[steepness, midpoint]);
         let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
         let (model, stop) = (&self.model as &Model, Stop::after(iterations));
-        let outcome = solve(model, &*own, LIMITS, 0.4, &mut method, &stop)
+        let outcome = solve(model, &*objective, LIMITS, 0.4, &mut method, &stop)
             .1
             .unwrap();
         assert!(outcome.response.is_empty());
@@ -222,10 +222,11 @@ fn a_resumed_run_has_the_bits_of_the_uninterrupted_one() {
     for method in ["lbfgs", "gradient", "adam", "bclp"] {
         let (whole, outcome) = known.run(known.free(WIDE, [10.0, 0.5]), method, 9, None);
         let folder = tempfile::tempdir().unwrap();
-        let own = || Checkpoints::new(folder.path(), 1, &checkpoint::Params::default()).unwrap();
+        let checkpoints =
+            || Checkpoints::new(folder.path(), 1, &checkpoint::Params::default()).unwrap();
         for iterations in [1, 5, 9] {
             let free = known.free(WIDE, [10.0, 0.5]);
-            let (x, resumed) = known.run(free, method, iterations, Some(&mut own()));
+            let (x, resumed) = known.run(free, method, iterations, Some(&mut checkpoints()));
             if iterations == 9 {
                 assert_eq!(x.as_slice(), whole.as_slice(), "{method}");
                 assert_eq!(resumed.response, outcome.response, "{method}");
@@ -243,8 +244,8 @@ fn the_response_of_the_patterns_that_are_kept_is_told() {
     let known = Known::new();
     for method in ["lbfgs", "adam"] {
         let (x, outcome) = known.run(known.free(WIDE, [10.0, 0.5]), method, 12, None);
-        let own = known.with_response(&outcome.response);
-        let loss = own.value(&check::dose(&known.model, &x));
+        let objective = known.with_response(&outcome.response);
+        let loss = objective.value(&check::dose(&known.model, &x));
         near!(loss, outcome.loss, 1e-5 * loss, "{method}");
     }
 }

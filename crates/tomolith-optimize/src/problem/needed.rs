@@ -61,7 +61,9 @@ impl<'a, F: Field> Problem<'a, F> {
             needed.fill(true);
         }
         let missing = needed.iter().zip(&at.unknown);
-        let missing: Vec<bool> = missing.map(|(own, unknown)| *own && *unknown).collect();
+        let missing: Vec<bool> = missing
+            .map(|(needed, unknown)| *needed && *unknown)
+            .collect();
         if missing.contains(&true) {
             regions.dose_in(&missing, x, &mut at.dose, self.work)?;
         }
@@ -93,7 +95,7 @@ impl<'a, F: Field> Problem<'a, F> {
         let in_doubt: Vec<bool> = in_doubt.map(|(near, unknown)| !near && !unknown).collect();
         let costs = regions.holds_any(&at.cotangent, &in_doubt);
         let pairs = needed.iter_mut().zip(costs);
-        pairs.for_each(|(own, costs)| *own |= costs);
+        pairs.for_each(|(needed, costs)| *needed |= costs);
         needed
     }
 

@@ -422,10 +422,10 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
         let curved = refusal(row, &twisted, None);
         let expect = |found: &Option<String>, names: &[&str], word: &str| {
             let found = found.as_deref().unwrap_or_default();
-            let told = found.starts_with(&format!("optimizer.{} ", row.name));
+            let is_named = found.starts_with(&format!("optimizer.{} ", row.name));
             assert_eq!(
                 names.contains(&row.name),
-                found.contains(word) && told,
+                found.contains(word) && is_named,
                 "{}: {found}",
                 row.name
             );

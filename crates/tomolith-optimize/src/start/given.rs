@@ -92,7 +92,7 @@ impl<F: Field> fmt::Debug for GivenFiles<F> {
 impl<F: Field> GivenFiles<F> {
     fn read(section: &Section) -> Result<Self> {
         let params: Params = section.parse()?;
-        let bounds_as = |own| section.within("bounds_as", own).read(starts::<F>());
+        let bounds_as = |value| section.within("bounds_as", value).read(starts::<F>());
         let at = |file: PathBuf| OfFile(section.file(&file));
         let first = at(params.file);
         let mut or: Vec<OfFile> = params.or.into_iter().map(at).collect();
@@ -355,7 +355,7 @@ mod tests {
     fn starts_to_choose_among_need_what_chooses_and_a_step_needs_two_files() {
         let read = |table: serde_json::Value| {
             let found = GivenFiles::<HostField>::read(&Section::new("start.patterns", table));
-            found.map(|files| files.step.map(|step| step.map(|of| of.0)))
+            found.map(|files| files.step.map(|step| step.map(|file| file.0)))
         };
         let refusal = |table| read(table).unwrap_err().to_string();
         let json = serde_json::json!({ "file": "a", "or": ["b"] });

@@ -144,8 +144,8 @@ impl<F: Field> StartInput<'_, F> {
         if let Some(cells) = &layout.cells {
             let mut labels = layout.field_of(self.labels);
             cells.label(&mut labels);
-            let of = |&label: &u8| if label == label::PART { part } else { 0.0 };
-            field = labels.iter().map(of).collect();
+            let wanted_of = |&label: &u8| if label == label::PART { part } else { 0.0 };
+            field = labels.iter().map(wanted_of).collect();
         }
         self.dose_of(&field)
     }

@@ -162,9 +162,9 @@ impl BandLanes {
         };
         let is_left_out =
             |half: usize| self.weight.0[half].simd_eq(zero) & m.0[half].simd_eq(m.0[half]);
-        let kept = [is_kept(0), is_kept(1)];
-        if (kept[0] & kept[1]).all()
-            || ((kept[0] | is_left_out(0)) & (kept[1] | is_left_out(1))).all()
+        let inside = [is_kept(0), is_kept(1)];
+        if (inside[0] & inside[1]).all()
+            || ((inside[0] | is_left_out(0)) & (inside[1] | is_left_out(1))).all()
         {
             return Group::default();
         }

@@ -30,23 +30,23 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                 light.active = Some((0..11 * columns).map(work).collect());
                 let grid = VolumeGrid::centered([21, 35, 37], 0.1);
                 let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
-                let kept = keeping(vial.as_ref(), light, grid);
-                let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
+                let cached = keeping(vial.as_ref(), light, grid);
+                let (plain, cached) = (plain.unwrap().with_isa(isa), cached.with_isa(isa));
                 let what = format!("{vial:?} {isa:?} {columns}");
-                check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{what}: {e}"));
+                check::model::model(&cached, 7).unwrap_or_else(|e| panic!("{what}: {e}"));
                 // Two frames in three are dark, and so is most of the cotangent
                 let mut x = check::noise(1, plain.patterns[0].len());
                 for frame in (0..11).filter(|frame| frame % 3 > 0) {
                     x[plain.patterns[0].elements_of(frame..frame + 1)].fill(0.0);
                 }
-                let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
+                let [expected, dose] = [&plain, &cached].map(|model| dose_of(model, &x).values);
                 assert!(dose == expected, "{what}");
                 let mut cotangent = plain.new_dose().unwrap();
                 let noise = check::noise(2, cotangent.len());
                 for (i, c) in cotangent.as_mut_slice().iter_mut().enumerate() {
                     *c = if i / 32 % 7 == 3 { noise[i] } else { 0.0 };
                 }
-                let gradients = [&plain, &kept].map(|model| check::adjoint(model, &cotangent));
+                let gradients = [&plain, &cached].map(|model| check::adjoint(model, &cotangent));
                 let [expected, gradient] = gradients.each_ref().map(HostField::as_slice);
                 assert!(gradient == expected, "{what}");
             }
@@ -90,26 +90,26 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
             grid.clone(),
         );
         assert!(!plain.lights[0].turned.repeats());
-        let kept = keeping(vial.as_ref(), light, grid);
+        let cached = keeping(vial.as_ref(), light, grid);
         let quarters = if shape[1] == shape[2] { 4 } else { 2 };
-        assert_eq!(kept.lights[0].turned.period, frames / quarters);
-        assert!(kept.lights[0].turned.repeats());
-        check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
+        assert_eq!(cached.lights[0].turned.period, frames / quarters);
+        assert!(cached.lights[0].turned.repeats());
+        check::model::model(&cached, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
         let x = check::noise(1, plain.patterns[0].len());
-        let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
+        let [expected, dose] = [&plain, &cached].map(|model| dose_of(model, &x).values);
         // Some frames alone, within a part and across its end
         for some in [
             1..3,
             0..frames / 2 + 2,
             frames / quarters - 2..frames / quarters + 3,
         ] {
-            let own = [&plain, &kept].map(|model| both_ways(model, some.clone(), &x));
-            for (expected, found) in own[0].iter().zip(&own[1]) {
+            let fields = [&plain, &cached].map(|model| both_ways(model, some.clone(), &x));
+            for (expected, found) in fields[0].iter().zip(&fields[1]) {
                 let off = check::largest_difference(found.as_slice(), expected.as_slice());
                 assert!(off < 2e-5, "{vial:?} {shape:?} {some:?}: {off}");
             }
         }
-        let [some, all] = [&kept, &plain].map(DoseModel::updates);
+        let [some, all] = [&cached, &plain].map(DoseModel::updates);
         assert_eq!(some, all, "{vial:?} {shape:?}");
         // Strips of a turned frame are rounded otherwise
         let off = check::largest_difference(&dose, &expected);
@@ -128,10 +128,10 @@ fn what_is_kept_takes_the_memory_that_was_said() {
             );
             light.sub_angles = sub_angles;
             let grid = VolumeGrid::centered([21, 48, 48], 0.05);
-            let said = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
+            let estimate = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
             let model = keeping(vial.as_ref(), light, grid);
             let found = model.entries(0, &Work::new()).unwrap();
-            let ratio = found.cached.bytes() as f64 / said;
+            let ratio = found.cached.bytes() as f64 / estimate;
             assert!(
                 (0.8..1.1).contains(&ratio),
                 "{vial:?} {pitch} {sub_angles}: {ratio}"
@@ -152,14 +152,14 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
             light.sub_angles = 2;
             let grid = VolumeGrid::centered(shape, 0.1);
             let each = [Finding::Once, Finding::InEachCall];
-            let models = each.map(|own| finding(own, vial.as_ref(), light.clone(), grid.clone()));
+            let models = each.map(|kind| finding(kind, vial.as_ref(), light.clone(), grid.clone()));
             assert!(models[1].lights[0].turned.repeats());
             let x = check::noise(1, models[0].patterns[0].len());
-            let [kept, found] = models.each_ref().map(|model| both_ways(model, 3..17, &x));
+            let [cached, found] = models.each_ref().map(|model| both_ways(model, 3..17, &x));
             let is_alike = models[0].lights[0].turned.repeats();
             assert_eq!(is_alike, rows < 100);
-            for (kept, found) in kept.iter().zip(&found) {
-                let off = check::largest_difference(found.as_slice(), kept.as_slice());
+            for (cached, found) in cached.iter().zip(&found) {
+                let off = check::largest_difference(found.as_slice(), cached.as_slice());
                 assert!(
                     off <= if is_alike { 0.0 } else { 1e-5 },
                     "{vial:?} {shape:?}: {off}"
@@ -194,19 +194,19 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
     for vial in vials() {
         for isa in Isa::available() {
             let (light, grid) = light_of_slices(1, Resin::absorbing(1.48, 0.2), 45, 0.11);
-            let said = loose::bytes(std::slice::from_ref(&light), 35 * 37);
+            let estimate = loose::bytes(std::slice::from_ref(&light), 35 * 37);
             let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
-            let kept = keeping(vial.as_ref(), light, grid);
-            let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
+            let cached = keeping(vial.as_ref(), light, grid);
+            let (plain, cached) = (plain.unwrap().with_isa(isa), cached.with_isa(isa));
             let what = format!("{vial:?} {isa:?}");
             let x = check::noise(1, plain.patterns[0].len());
             let at = HostField::from_slice(&x);
             // Once to find them, once to read them
-            let doses = [&plain, &kept, &kept].map(|model| dose_of(model, &x).values);
+            let doses = [&plain, &cached, &cached].map(|model| dose_of(model, &x).values);
             assert!(doses[0] == doses[1] && doses[0] == doses[2], "{what}");
             let mut cotangent = plain.new_dose().unwrap();
             cotangent.as_mut_slice().copy_from_slice(&doses[0]);
-            let [expected, found] = [&plain, &kept].map(|model| {
+            let [expected, found] = [&plain, &cached].map(|model| {
                 let mut gradient = model.new_patterns().unwrap();
                 let work = Work::new();
                 model
@@ -215,10 +215,10 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
                 gradient.as_slice().to_vec()
             });
             assert_eq!(expected, found, "{what}");
-            let loose = kept.loose(0, &Work::new()).unwrap().unwrap();
+            let loose = cached.loose(0, &Work::new()).unwrap().unwrap();
             assert!(
-                loose.bytes() > 0 && (loose.bytes() as f64) < said,
-                "{what}: {}, {said}",
+                loose.bytes() > 0 && (loose.bytes() as f64) < estimate,
+                "{what}: {}, {estimate}",
                 loose.bytes()
             );
             assert!(plain.loose(0, &Work::new()).unwrap().is_none());

@@ -64,10 +64,10 @@ fn regions_hold_every_lit_voxel_and_their_doses_have_the_bits_of_the_whole() {
             (regions.dose_in(&chosen, &x, &mut dose, &Work::new())).unwrap();
             let pairs = || dose.as_slice().iter().zip(whole.as_slice());
             let is_written: Vec<f32> = pairs()
-                .map(|(own, _)| f32::from(u8::from(*own != UNTOUCHED)))
+                .map(|(part, _)| f32::from(u8::from(*part != UNTOUCHED)))
                 .collect();
             assert!(
-                pairs().all(|(own, whole)| *own == UNTOUCHED || own == whole),
+                pairs().all(|(part, whole)| *part == UNTOUCHED || part == whole),
                 "{what}"
             );
             assert!(
@@ -80,7 +80,7 @@ fn regions_hold_every_lit_voxel_and_their_doses_have_the_bits_of_the_whole() {
             // Together they are the whole
             let others: Vec<bool> = chosen.iter().map(|chosen| !chosen).collect();
             (regions.dose_in(&others, &x, &mut dose, &Work::new())).unwrap();
-            let is_lit = |(own, whole): (&f32, &f32)| *whole == 0.0 || own == whole;
+            let is_lit = |(part, whole): (&f32, &f32)| *whole == 0.0 || part == whole;
             assert!(
                 dose.as_slice().iter().zip(whole.as_slice()).all(is_lit),
                 "{what}"
@@ -152,8 +152,8 @@ fn models_that_find_entries_anew_or_have_two_lights_have_no_regions() {
     let grid = || VolumeGrid::centered([70, 20, 20], 0.1);
     let anew = Parallel::new(&vial, vec![light.clone()], grid()).unwrap();
     assert!(anew.regions().is_none());
-    let kept = keeping(&vial, light.clone(), grid());
-    assert!(kept.regions().is_some());
+    let cached = keeping(&vial, light.clone(), grid());
+    assert!(cached.regions().is_some());
     let (both, kernel, finding) = (vec![light.clone(), light], Kernel::default(), Finding::Once);
     let two = Parallel::planned(&vial, both, kernel, grid(), finding, &Work::new()).unwrap();
     assert!(two.regions().is_none());

@@ -230,7 +230,7 @@ fn a_resin_that_differs_from_place_to_place_is_an_exact_pair() {
 fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
     let vial = IndexMatched { radius_mm: 1.7 };
     let grid = VolumeGrid::centered([4, 16, 16], 0.15);
-    let of = |map: Option<AbsorptionMap>| {
+    let doses_of = |map: Option<AbsorptionMap>| {
         let mut light = light(6, 6, 24, 0.13);
         light.map = map.map(Arc::new);
         let params = Params {
@@ -251,12 +251,12 @@ fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
         AbsorptionMap::new([1, 16, 16], 0.15, values.clone(), values).unwrap()
     };
     let patches = map(&|i| if (i / 4 + i / 64) % 2 == 0 { 0.1 } else { 0.7 });
-    let [parallel, rays] = of(Some(patches));
-    let [_, plain] = of(None);
+    let [parallel, rays] = doses_of(Some(patches));
+    let [_, plain] = doses_of(None);
     let (apart, changed) = (difference(&parallel, &rays), difference(&plain, &rays));
     // Without a map the two models are 0.015 apart at this pitch
     assert!(apart < 0.02 && changed > 0.3, "{apart} {changed}");
-    let [_, even] = of(Some(map(&|_| 0.3)));
+    let [_, even] = doses_of(Some(map(&|_| 0.3)));
     assert!(difference(&plain, &even) < 1e-5);
 }
 
@@ -505,18 +505,18 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                     None => model,
                 }
             };
-            let (walked, kept) = (build(), build().cached());
-            check::model::model(&kept, 3).unwrap();
+            let (walked, cached) = (build(), build().cached());
+            check::model::model(&cached, 3).unwrap();
             assert!(walked.cache(&Work::new()).unwrap().is_none());
             let (work, has_column_rays) = (Work::new(), walked.has_column_rays());
             assert_eq!(
-                kept.cache(&work).unwrap().is_none(),
+                cached.cache(&work).unwrap().is_none(),
                 has_column_rays,
                 "{name}"
             );
-            let column_rays = kept.cached_column_rays(&work).unwrap();
+            let column_rays = cached.cached_column_rays(&work).unwrap();
             assert_eq!(column_rays.is_some(), has_column_rays, "{name}");
-            let x = check::noisy_patterns(&kept, 1);
+            let x = check::noisy_patterns(&cached, 1);
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
                 let mut dose = model.new_dose().unwrap();
@@ -530,7 +530,10 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                 let grad = check::adjoint(model, &c);
                 grad.as_slice().to_vec()
             };
-            for [a, b] in [[some(&walked), some(&kept)], [back(&walked), back(&kept)]] {
+            for [a, b] in [
+                [some(&walked), some(&cached)],
+                [back(&walked), back(&cached)],
+            ] {
                 let off = check::largest_difference(&b, &a);
                 assert!(off < 1e-5, "{name}: {off}");
             }
@@ -771,12 +774,12 @@ fn light_of_hardly_any_tilt_is_level_light() {
             rays_per_pixel: 1,
             ..Params::default()
         };
-        let of = |optics: &Optics| {
+        let dose_of = |optics: &Optics| {
             let model = rays(&GLASS, light(3, 18, 11, 0.1), optics, &params, grid.clone());
             assert!(model.has_column_rays());
             lit(&model)
         };
-        let (tilted, level) = (of(&optics), of(&Optics::collimated(0.1)));
+        let (tilted, level) = (dose_of(&optics), dose_of(&Optics::collimated(0.1)));
         // A share may lie in the next slice, and no row leaves less than nothing or more than it has
         let most = level.values.iter().copied().fold(0.0, f32::max);
         assert!(

@@ -153,11 +153,14 @@ fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
 fn an_even_map_in_a_resin_that_scatters_changes_nothing() {
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
     for smooth in [1, 4] {
-        let of = |map| {
+        let dose_of = |map| {
             let (light, optics, params) = milk(&light(4, 5, 9, 0.2), map, smooth);
             lit(&monte_carlo::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap())
         };
-        let (plain, mapped) = (of(None), of(Some(([3, 4, 5], 0.5, vec![0.3; 60]))));
+        let (plain, mapped) = (
+            dose_of(None),
+            dose_of(Some(([3, 4, 5], 0.5, vec![0.3; 60]))),
+        );
         let off = check::largest_difference(&mapped.values, &plain.values);
         assert!(off < 2e-6, "{smooth}: {off}");
     }
@@ -168,7 +171,7 @@ fn scattered_light_leaves_what_the_map_takes_of_it_on_either_side_of_a_face() {
     // The resin takes 0.05 per mm below x = 0 and 0.6 above, in the middle of cells of four voxels
     let grid = VolumeGrid::centered([150, 44, 44], 0.1);
     let light = light(6, 3, 15, 0.2);
-    let of = |smooth: usize| {
+    let planes_of = |smooth: usize| {
         let map = Some(([1, 1, 2], 10.0, vec![0.05, 0.6]));
         let (light, optics, mut params) = milk(&light, map, smooth);
         params.paths_per_pixel = 64;
@@ -186,13 +189,13 @@ fn scattered_light_leaves_what_the_map_takes_of_it_on_either_side_of_a_face() {
         }
         (planes, balance)
     };
-    let (exact, whole) = of(1);
+    let (exact, whole) = planes_of(1);
     assert!((whole - 1.0).abs() < 1e-3, "{whole}");
     // The dose leaps by what is taken; fluence falls by a tenth in the tenth of a millimeter between these planes
     let leap = exact[22] / exact[21] / 12.0;
     assert!((0.8..1.0).contains(&leap), "{leap} {exact:?}");
     for (smooth, allowed) in [(2, 0.04), (4, 0.08)] {
-        let (planes, balance) = of(smooth);
+        let (planes, balance) = planes_of(smooth);
         // Cells reach beyond the wall, where the map goes on
         assert!((balance - 1.0).abs() < 2e-2, "{balance}");
         let error = |x: usize| (planes[x] / exact[x] - 1.0).abs();
@@ -206,7 +209,7 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
     // Rows below z = 0 are lit: scattered light falls off about the edge. Cells of 0.4 mm where a free path is 0.9 mm
     let grid = VolumeGrid::centered([48, 40, 40], 0.1);
     let light = light(12, 24, 20, 0.2);
-    let of = |smooth: usize| {
+    let profile_of = |smooth: usize| {
         let (light, optics, mut params) = milk(&light, None, smooth);
         params.paths_per_pixel = 64;
         params.is_sharp = true;
@@ -227,10 +230,10 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
         planes
     };
     // 0.003 and 0.010; with what cells smear out 0.017 on the larger ones
-    let exact = of(1);
+    let exact = profile_of(1);
     let most = exact.into_iter().fold(0.0, f64::max);
     for (smooth, allowed) in [(2, 0.004), (4, 0.012)] {
-        let smoothed = of(smooth);
+        let smoothed = profile_of(smooth);
         let square = |z: usize| ((smoothed[z] - exact[z]) / most).powi(2);
         let rms = ((8..40).map(square).sum::<f64>() / 32.0).sqrt();
         assert!(rms < allowed, "{smooth}: {rms}");

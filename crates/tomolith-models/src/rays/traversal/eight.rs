@@ -117,8 +117,8 @@ fn pieces(ways: Ways, first: usize, s: &Segment, mut visit: impl FnMut(i32, __m2
     let behind = _mm256_max_ps(b.crossing, c.crossing);
     let b_first = _mm256_cmp_ps::<_CMP_LT_OQ>(b.crossing, c.crossing);
     let b_first = _mm256_castps_si256(b_first);
-    let after_b = |of: [__m256i; 2]| _mm256_blendv_epi8(of[0], of[1], b_first);
-    let before_c = |of: [__m256i; 2]| _mm256_blendv_epi8(of[1], of[0], b_first);
+    let after_b = |pair: [__m256i; 2]| _mm256_blendv_epi8(pair[0], pair[1], b_first);
+    let before_c = |pair: [__m256i; 2]| _mm256_blendv_epi8(pair[1], pair[0], b_first);
     let both = |b, c| _mm256_and_si256(b, c);
     piece(
         begin,
