@@ -43,10 +43,10 @@ impl HorizontalFaces {
         let [slices, rows, _] = grid.shape;
         let of_rows = (0..rows).par_map(|row| areas_of_row(inside, row));
         let mut areas = vec![0.0; slices * HEIGHTS + 1];
-        for own in of_rows {
+        for row in of_rows {
             areas
                 .iter_mut()
-                .zip(own)
+                .zip(row)
                 .for_each(|(sum, area)| *sum += area);
         }
         let voxel_mm2 = grid.pitch_mm.powi(2);

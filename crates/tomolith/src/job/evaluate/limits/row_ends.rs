@@ -34,13 +34,8 @@ impl RowEnds {
             areas: part_mm.map(|z| (z, 1.0)).to_vec(),
         };
         let mut worst = Self::of(&faces, lights)?;
-        let rows = Rows::of(
-            &lights
-                .iter()
-                .find(|own| own.index == worst.light.0)?
-                .light
-                .pixels,
-        );
+        let limiting = lights.iter().find(|acting| acting.index == worst.light.0)?;
+        let rows = Rows::of(&limiting.light.pixels);
         // In the middle of a row light goes on to its end: beyond the part
         let outward = [1e-6, -1e-6];
         let nearest = |i: usize| rows.edge((rows.above(part_mm[i]) + outward[i]).round());
