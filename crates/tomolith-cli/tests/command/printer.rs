@@ -450,15 +450,11 @@ fn a_time_bounds_the_pixels() {
 fn device_pixels_in_micrometers_are_refused_and_their_size_is_told_where_it_is_left_out() {
     let bench = Bench::with(&[("job.toml", JOB)]);
     let check = "check job.toml --set printer.canvas=[60,40]";
-    let output = bench.stdout(0, check);
-    assert!(
-        output.contains("as large at the vial as one of the light, 0.1 mm"),
-        "{output}"
+    bench.says(
+        0,
+        check,
+        &["as large at the vial as one of the light, 0.1 mm"],
     );
-    let output = bench.ended(2, &format!("{check} --set printer.pixel_pitch_mm=100"));
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        message.contains("printer.pixel_pitch_mm: 100 mm, 1000 times"),
-        "{message}"
-    );
+    let line = format!("{check} --set printer.pixel_pitch_mm=100");
+    bench.refuse(&line, &["printer.pixel_pitch_mm: 100 mm, 1000 times"]);
 }
