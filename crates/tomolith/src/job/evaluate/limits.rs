@@ -427,7 +427,10 @@ impl Measurements {
             let action = format!("Move the light {up} with");
             return Some(self.limit(Cause::Ends, loss, &ends.move_key(), found, &action));
         }
-        let action = "Change the part's height or place, or lower";
+        let action = match ends.ends {
+            Some(_) => "Change the part's height or place, or lower",
+            None => "Put faces a whole number of rows apart, or lower",
+        };
         Some(self.limit(Cause::Ends, loss, &self.pixel_key, found + ".", action))
     }
 
@@ -608,7 +611,7 @@ impl Measurements {
             let verb = match limit.cause {
                 Cause::Grid => "lower",
                 Cause::Ends if moving.is_some() => moving.as_deref().unwrap_or_default(),
-                Cause::Ends => "place the part's ends between rows of pixels, or lower",
+                Cause::Ends => "place the part's faces between rows of pixels, or lower",
                 Cause::Exposure => "change",
                 Cause::Levels if limit.key == "printer" => {
                     "bring the pixels of machine and light together in"

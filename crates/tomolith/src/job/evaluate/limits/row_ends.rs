@@ -1,15 +1,13 @@
 //! What horizontal faces cost that lie inside rows of pixels.
 //!
 //! **Model** Level light ends with a row of pixels, so a horizontal face of area A prints at the nearest edge of a row, d from where it should be: A·d of the part's volume V
-//! is missing or too much, a share of Σ A·d/V. Slanted surfaces lie at every height alike; what they lose is due to the size of pixels, and is left out: of the four quarters of a
-//! row, each counts for the area that it has above that of the one with the least. Light that is moved along z moves these edges, so moves within half a row are tried.
+//! is missing or too much, a share of Σ A·d/V. Light that is moved along z moves these edges, so moves within half a row are tried. Slanted surfaces lie at every height alike; what
+//! they lose is due to the size of pixels, and is left out.
 
 use super::acting::Acting;
 use crate::grid::PatternGrid;
 use crate::target::HorizontalFaces;
 
-/// Parts of a row in which areas are compared. More would be empty where the part's voxels are whole and a quarter of a pixel.
-const QUARTERS: usize = 4;
 /// Steps of a row in which moves are tried.
 const STEPS: i32 = 64;
 
@@ -47,8 +45,7 @@ impl RowEnds {
     pub(crate) fn of(faces: &HorizontalFaces, lights: &[Acting<'_>]) -> Option<Self> {
         let of_light = |acting: &Acting<'_>| {
             let rows = Rows::of(&acting.light.pixels);
-            let areas = rows.flat(faces);
-            let share = |moved| rows.moved(moved).between(&areas) / faces.volume_mm3;
+            let share = |moved| rows.moved(moved).between(&faces.areas) / faces.volume_mm3;
             let moves = (-STEPS / 2..=STEPS / 2).map(|i| f64::from(i) / f64::from(STEPS));
             let moves = moves.map(|rows_up| rows_up * rows.pitch);
             let moves = moves.filter(|&moved| moved == 0.0 || rows.moved(moved).hold(faces));
@@ -129,21 +126,6 @@ impl Rows {
         let ends = [faces.areas.first(), faces.areas.last()];
         let is_lit = |z: f64| self.bottom - 1e-9 <= z && z <= self.top + 1e-9;
         ends.into_iter().flatten().all(|(z, _)| is_lit(*z))
-    }
-
-    /// Areas without those of slanted surfaces.
-    fn flat(&self, faces: &HorizontalFaces) -> Vec<(f64, f64)> {
-        let quarter = |z: f64| {
-            let part = self.above(z).rem_euclid(1.0) * QUARTERS as f64 + 0.5;
-            part as usize % QUARTERS
-        };
-        let mut sums = [0.0; QUARTERS];
-        for &(z, area) in &faces.areas {
-            sums[quarter(z)] += area;
-        }
-        let slanted = sums.into_iter().fold(f64::INFINITY, f64::min);
-        let flat = |&(z, area): &(f64, f64)| (z, area * (1.0 - slanted / sums[quarter(z)]));
-        faces.areas.iter().map(flat).collect()
     }
 
     /// Volume between faces and the nearest edges.
