@@ -41,9 +41,15 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         &format!("calibrate gray {visible}"),
         &["usable from gray 86.1 to 239.1"],
     );
-    bench.write("falls.csv", "0,0\n128,3\n255,2\n");
+    // A reading that falls is warned of, and no polynomial is refused for it
+    bench.write("noisy.csv", "0,0.2\n64,0.1\n128,2\n192,5\n255,10\n");
+    let noisy = bench.json("calibrate gray noisy.csv");
+    let expected = "falls from 0.2 to 0.1 between gray 0 and 64, by 1 % of white";
+    assert!(noisy["warnings"].to_string().contains(expected), "{noisy}");
+    bench.done("calibrate gray noisy.csv --form line --quiet");
+    bench.write("falls.csv", "0,3\n128,4\n255,1\n");
     bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
-    // Falling is told before the missing top
+    // That it does not rise is told before the missing top
     bench.write("low.csv", "10,3\n30,2\n");
     bench.write("short.csv", "0,0\n200,3\n");
     bench.write("below.csv", "-20,-1\n128,3\n255,4\n");
@@ -53,11 +59,11 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "$ calibrate gray {visible} --form quadratic
         gray-visible.csv … usable from gray 86.15 to 239.06 … monotone
         $ calibrate gray falls.csv
-        falls from 3 to 2 … usable from gray 0.00 to 128.00
+        from 3 to 1, which as a whole do not rise … usable from gray 0.00 to 128.00
         $ calibrate gray negative.csv
         a negative irradiance … from gray 128.00 to 255.00
         $ calibrate gray low.csv
-        falls from 3 to 2
+        from 3 to 2, which as a whole do not rise
         $ calibrate gray below.csv
         gray values from -20 to 255
         $ calibrate gray one.csv
