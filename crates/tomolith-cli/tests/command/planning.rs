@@ -3,6 +3,7 @@
 use crate::bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
+use tomolith::report::number::significant;
 
 /// A data file of the examples.
 fn example(name: &str) -> String {
@@ -230,8 +231,29 @@ fn a_spectrometer_gives_absorption_and_scattering() {
         bench.refuse("calibrate absorbance bad.csv", &["bad.csv", part]);
     }
     bench.write("dark.csv", "path_mm,resin\n10,3.4\n");
-    let warnings = &bench.json("calibrate absorbance dark.csv")["warnings"];
-    assert!(warnings.to_string().contains("stray light"), "{warnings}");
+    // Columns swapped: 44 per mm, and a cuvette that gives light
+    bench.write(
+        "swapped.csv",
+        "path_mm,resin\n0.147231,2\n0.303577,5\n0.564153,10\n",
+    );
+    for (file, parts) in [
+        ("dark.csv", &["stray light"][..]),
+        (
+            "swapped.csv",
+            &[
+                "44.2 per mm (resin): ",
+                "cuvette that shows −0.825",
+                "are swapped",
+            ],
+        ),
+    ] {
+        let warnings = bench.json(&format!("calibrate absorbance {file}"))["warnings"].to_string();
+        for part in parts {
+            assert!(warnings.contains(part), "{warnings}");
+        }
+    }
+    let warnings = &bench.json("calibrate absorbance a.csv")["warnings"];
+    assert_eq!(warnings.as_array().unwrap().len(), 0, "{warnings}");
 }
 
 #[test]
@@ -332,6 +354,39 @@ fn discs_are_drawn_and_their_result_is_read() {
     let fit = bench.json("calibrate dose diameter.csv");
     near(&fit["fit"]["critical_mj_per_cm2"], 12.0, 0.05);
     near(&fit["fit"]["length_mm"], 0.05, 0.001);
+    // All columns at once: depths are fitted, and compared with what cured. Disc 5 lies below 20 mJ/cm², disc 9 above
+    let all = |liquid: usize| {
+        fill(&|j, dose| {
+            let depth = 1.5 * (dose / 20.0).ln();
+            let cured = u8::from(j == 2 || j >= 4 && j != liquid);
+            format!(",{cured},{},1.2", depth.max(0.0))
+        })
+    };
+    bench.write("several.csv", &all(9));
+    let fit = bench.json("calibrate dose several.csv");
+    assert_eq!(fit["fit"]["from"], "depth_mm");
+    near(&fit["fit"]["critical_mj_per_cm2"], 20.0, 0.01);
+    let dose = |j: i32| significant(10.0 * 16f64.powf(f64::from(j) / 14.0), 4);
+    let expected = format!("that depth_mm gives, at {}, {} mJ/cm²", dose(2), dose(9));
+    assert!(fit["warnings"].to_string().contains(&expected), "{fit}");
+    let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
+    assert_eq!(fit["warnings"].as_array().unwrap().len(), 0, "{fit}");
+    // Doses and depths swapped: errors of 29 and 21 %
+    let swapped = fill(&|_, _| String::new());
+    let swap = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let dose: f64 = cells[5].parse().ok()?;
+        let depth = 1.5 * (dose / 8.0).ln();
+        Some(format!("{},{depth},,{dose},", cells[..5].join(",")))
+    };
+    let rows: Vec<String> = swapped
+        .lines()
+        .map(|line| swap(line).unwrap_or_else(|| line.to_owned()))
+        .collect();
+    bench.write("swapped.csv", &rows.join("\n"));
+    let fit = bench.json("calibrate dose swapped.csv");
+    let expected = "of the penetration depth: look whether dose_mj_per_cm2 and depth_mm are swapped or in other units";
+    assert!(fit["warnings"].to_string().contains(expected), "{fit}");
     let unused = format!("calibrate dose {} --penetration-mm 5", example("discs.csv"));
     let unused = &bench.json(&unused)["warnings"];
     assert!(
@@ -354,7 +409,7 @@ fn discs_are_drawn_and_their_result_is_read() {
         $ calibrate dose none.csv
         no disc cured … above 160 mJ/cm²
         $ calibrate dose both.csv
-        results in cured and depth_mm
+        depth_mm: sizes that fall with the dose or stay the same
         $ calibrate dose cured.csv --penetration-mm 0
         --penetration-mm
         $ {line} --output print
