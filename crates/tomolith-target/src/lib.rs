@@ -39,7 +39,7 @@ mod voxels;
 pub use bodies::{Assembly, BodySpec, Role};
 pub use diagnosis::{Diagnosis, Repair};
 pub use image::GrayImage;
-pub use mesh_unit::MeshUnit;
+pub use mesh_unit::{LONG_MM, MeshUnit};
 pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};
