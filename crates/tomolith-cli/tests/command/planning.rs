@@ -489,6 +489,13 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     // No time prints all of the part and nothing else
     assert!(pw < 0.0 && found["pw_s"].is_null(), "{found}");
     bench.says(0, "expose b", &["nearly as good", "delivered light"]);
+    // 24 frames a turn: 0.25 turns a minute are 0.1 frames a second
+    let slow = "expose a --irradiance 25 --critical-dose 0.8 --rpm";
+    for (rpm, is_slow) in [("0.24", true), ("0.25", false)] {
+        let warnings = bench.json(&format!("{slow} {rpm}"))["warnings"].to_string();
+        let part = "which players do not show evenly and `tomolith export` refuses: 0.25 turns";
+        assert_eq!(warnings.contains(part), is_slow, "{warnings}");
+    }
 
     bench.refuse_each(
         "$ expose a
