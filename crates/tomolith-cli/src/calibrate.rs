@@ -685,7 +685,7 @@ fn tell_against_cured(answer: &mut Answer, fit: &DoseFit) {
         return;
     };
     if against.is_empty() {
-        answer.line("cured", "agrees with it");
+        answer.line("cured", "agrees with the critical dose");
         return;
     }
     let doses: Vec<String> = against.iter().map(|dose| significant(*dose, 4)).collect();

@@ -280,11 +280,15 @@ fn must_be_written(given: &Sampling, kind: Kind, grid: &VolumeGrid) -> Result<()
     let needed_mb = (grid.len() as u64).saturating_mul(bytes) / 1_000_000;
     let [nz, ny, nx] = grid.shape;
     if given.shape.is_none() && needed_mb > LARGEST_MB {
+        let smaller = match !given.binary && needed_mb / 4 <= LARGEST_MB {
+            true => "a larger --pitch-mm, --binary,",
+            false => "a larger --pitch-mm,",
+        };
         return Err(Error::config(
             "--pitch-mm",
             format!("{nx} × {ny} × {nz} voxels, a file of {needed_mb} MB"),
             format!(
-                "at most {LARGEST_MB} MB: a larger --pitch-mm, --binary, or --shape {nx} {ny} {nz} if that many are meant"
+                "at most {LARGEST_MB} MB: {smaller} or --shape {nx} {ny} {nz} if that many are meant"
             ),
         ));
     }
