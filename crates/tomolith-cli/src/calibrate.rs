@@ -17,7 +17,7 @@ use tomolith::response::curve::Curve;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 use tomolith_planning::absorbance::{self, Attenuation, Coefficient, MediumFit};
-use tomolith_planning::discs::{self, Discs};
+use tomolith_planning::discs::{self, Discs, DoseFit};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::kinetics;
 use tomolith_planning::measured::csv;
@@ -71,7 +71,7 @@ enum Fit {
     Absorbance(AbsorbanceArguments),
     /// Images for a calibration print: discs at rising doses in a resin at rest
     Discs(DiscsArguments),
-    /// Critical dose and penetration depth from what the discs became: discs.csv with a column filled
+    /// Critical dose and penetration depth from what the discs became: discs.csv with one column filled or several
     Dose(DoseArguments),
 }
 
@@ -478,6 +478,12 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
 /// Absorbance from which on stray light inside a spectrometer decides what it shows.
 const STRAY_LIGHT: f64 = 3.0;
 
+/// Attenuation above which nothing is printed in a vial, 1/mm: it halves light within 35 µm.
+const MOST_PER_MM: f64 = 20.0;
+
+/// How far below 0 a spectrometer's zero may lie.
+const ZERO_LINE: f64 = 0.02;
+
 fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
     let path = &given.measured.table;
     let table = Columns::read(path)?;
@@ -527,6 +533,22 @@ fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
             answer.warn(format!(
                 "an absorbance of {} ({name}): stray light makes such readings too small; take a shorter path",
                 concise(highest)
+            ));
+        }
+        let slip = "look whether the columns path_mm and resin are swapped, and whether the paths are in mm, not in cm";
+        if liquid.total.per_mm > MOST_PER_MM {
+            answer.warn(format!(
+                "{} per mm ({name}): light hardly enters such a liquid; {slip}",
+                significant(liquid.total.per_mm, 3)
+            ));
+        }
+        let known_to = 2.0 * liquid.cuvette_error.unwrap_or(0.0);
+        if let Some(shown) = liquid.cuvette
+            && shown < -known_to.max(ZERO_LINE)
+        {
+            answer.warn(format!(
+                "a cuvette that shows {} ({name}) gives light; {slip}",
+                significant(shown, 3)
             ));
         }
     }
@@ -594,6 +616,8 @@ fn dose(given: &DoseArguments) -> Result<()> {
     let fit = discs::fit(path).map_err(|e| in_file(e, path))?;
     let mut answer = Answer::default();
     answer.line("fitted", fit.from);
+    tell_against_cured(&mut answer, &fit);
+    warn_of_scatter(&mut answer, &fit);
     let critical = with_error(fit.critical_mj_per_cm2, fit.critical_error);
     answer.line("critical dose", format!("{critical} mJ/cm² at the face"));
     if let Some([low, high]) = fit.bracket {
@@ -653,6 +677,44 @@ fn dose(given: &DoseArguments) -> Result<()> {
     }
     answer.set("fit", &fit);
     answer.finish(&given.measured.files, &files)
+}
+
+/// Whether the discs cured at the doses at which a fit of their sizes says so.
+fn tell_against_cured(answer: &mut Answer, fit: &DoseFit) {
+    let Some(against) = &fit.against_cured else {
+        return;
+    };
+    if against.is_empty() {
+        answer.line("cured", "agrees with the critical dose");
+        return;
+    }
+    let doses: Vec<String> = against.iter().map(|dose| significant(*dose, 4)).collect();
+    answer.warn(format!(
+        "the column cured does not agree with the critical dose that {} gives, at {} mJ/cm²: look at these discs again",
+        fit.from,
+        doses.join(", ")
+    ));
+}
+
+/// Standard error over its value above which a fit of discs says little.
+const LOOSE: f64 = 0.2;
+
+/// Warns of standard errors that are too large for good measurements.
+fn warn_of_scatter(answer: &mut Answer, fit: &DoseFit) {
+    let named = ["critical dose", "penetration depth"]
+        .into_iter()
+        .zip(fit.relative_errors());
+    let loose: Vec<String> = named
+        .filter_map(|(name, error)| Some((name, error.filter(|error| *error > LOOSE)?)))
+        .map(|(name, error)| format!("{} of the {name}", percent(error)))
+        .collect();
+    if !loose.is_empty() {
+        answer.warn(format!(
+            "the standard error is {}: look whether dose_mj_per_cm2 and {} are swapped or in other units, and for outliers",
+            loose.join(" and "),
+            fit.from
+        ));
+    }
 }
 
 /// Frames for setting a machine up.

@@ -8,7 +8,7 @@ use clap::Args;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::error::above_zero;
-use tomolith::exposure::PrinterSpec;
+use tomolith::exposure::{PrinterSpec, SLOWEST, is_too_slow};
 use tomolith::io::read_text;
 use tomolith::job::export::job_of_run;
 use tomolith::job::{Angles, Job};
@@ -328,6 +328,7 @@ fn show(
         );
     }
     tell_frames(&mut answer, shown, plan, remarks.arc_deg);
+    warn_of_slow_movie(&mut answer, shown.sums.len(), plan);
     tell_windows(&mut answer, plan, &remarks.windows);
     if plan.rpm > 60.0 {
         answer.warn(format!(
@@ -408,6 +409,22 @@ fn tell_frames(answer: &mut Answer, shown: &ShownFrames, plan: &ExposurePlan, ar
             percent(plan.light_used)
         ),
     );
+}
+
+/// Warns of a speed at which `export` makes no movie.
+fn warn_of_slow_movie(answer: &mut Answer, frames: usize, plan: &ExposurePlan) {
+    if !is_too_slow(plan.frame_rate_hz, frames) {
+        return;
+    }
+    let faster = SLOWEST / plan.frame_rate_hz;
+    answer.warn(format!(
+        "{} turns a minute make a movie of {} frames a second, which players do not show evenly and `tomolith export` refuses: \
+         {} turns a minute (--rpm), or {} turns (--turns), are the least",
+        significant(plan.rpm, 4),
+        significant(plan.frame_rate_hz, 3),
+        concise(plan.rpm * faster),
+        concise((plan.turns * faster / plan.turns_a_pass - 1e-9).ceil() * plan.turns_a_pass)
+    ));
 }
 
 /// Exposures nearly as good as the best, and process windows.

@@ -10,12 +10,12 @@ use tomolith::io::frames::{FrameSet, write_picture};
 use tomolith::io::stl::write_stl;
 use tomolith::io::volume::{ENDINGS, Values, VolumeFileFormat, write_values};
 use tomolith::job::Document;
-use tomolith::job::resources::{memory_budget_mb, require};
+use tomolith::job::resources::{available_disk_mb, memory_budget_mb, require};
 use tomolith::kind::Section;
 use tomolith::models::Work;
 use tomolith::target::clip::{cut_off, cuts};
 use tomolith::target::{
-    MeshUnit, PHANTOMS, Repair, Resolution, Target, TargetSpec, build_under, default_grid,
+    LONG_MM, MeshUnit, PHANTOMS, Repair, Resolution, Target, TargetSpec, build_under, default_grid,
     voxelize_under,
 };
 use tomolith::units::concise;
@@ -137,9 +137,12 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, work: &Wo
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
     let shape = build_under(&spec, Path::new(""), "target", work).map_err(as_target_option)?;
     let question = spec.ask_for_unit(shape.bounds_mm(), EXPECTED_MM);
-    let question =
-        question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
+    let question = question.map(|text| {
+        text.replace("set target.mesh_unit = ", "give --mesh-unit ")
+            .replace("set target.size_mm = ", "give --size-mm ")
+    });
     let grid = grid_of(given, shape.bounds_mm()).map_err(|e| e.asking(question.as_deref()))?;
+    must_be_written(given, kind, &grid).map_err(|e| e.asking(question.as_deref()))?;
     // The inside fraction, what is written of it, labels
     let needed_mb = (grid.len() as u64).saturating_mul(9) / 1_000_000;
     let fewer = "fewer voxels: a larger --pitch-mm, a smaller --shape";
@@ -263,7 +266,42 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
 }
 
 /// Longest edges of parts for which nobody asks whether the file has another unit, mm.
-const EXPECTED_MM: [f64; 2] = [0.05, 1000.0];
+const EXPECTED_MM: [f64; 2] = [0.05, LONG_MM];
+
+/// Largest file that a pitch alone makes, MB: what is larger is more often a slip of a unit than meant.
+const LARGEST_MB: u64 = 2000;
+
+/// Refuses a volume that the disk does not hold, and a large one whose voxels nobody counted with `--shape`.
+fn must_be_written(given: &Sampling, kind: Kind, grid: &VolumeGrid) -> Result<()> {
+    if kind == Kind::Picture {
+        return Ok(());
+    }
+    let bytes = if given.binary { 1 } else { 4 };
+    let needed_mb = (grid.len() as u64).saturating_mul(bytes) / 1_000_000;
+    let [nz, ny, nx] = grid.shape;
+    if given.shape.is_none() && needed_mb > LARGEST_MB {
+        let smaller = match !given.binary && needed_mb / 4 <= LARGEST_MB {
+            true => "a larger --pitch-mm, --binary,",
+            false => "a larger --pitch-mm,",
+        };
+        return Err(Error::config(
+            "--pitch-mm",
+            format!("{nx} × {ny} × {nz} voxels, a file of {needed_mb} MB"),
+            format!(
+                "at most {LARGEST_MB} MB: {smaller} or --shape {nx} {ny} {nz} if that many are meant"
+            ),
+        ));
+    }
+    let smaller = "fewer voxels, or a folder on another disk";
+    let disk_mb = available_disk_mb(&given.output);
+    require(
+        "--output",
+        "disk for the voxels",
+        needed_mb,
+        disk_mb,
+        smaller,
+    )
+}
 
 /// An error about a key of the target, as one about the option where it has one.
 fn as_target_option(error: Error) -> Error {

@@ -12,6 +12,7 @@ pub mod files;
 pub mod grid;
 pub mod kind;
 pub mod least_squares;
+pub mod monotone_cubic;
 pub mod parallel;
 pub mod ranks;
 pub mod response;

@@ -47,6 +47,8 @@ pub struct Attenuation {
     pub total: Coefficient,
     /// A₀, where there are several paths.
     pub cuvette: Option<f64>,
+    /// Its standard error, where readings say one.
+    pub cuvette_error: Option<f64>,
     /// Path in mm, absorbance.
     pub readings: Vec<[f64; 2]>,
 }
@@ -83,11 +85,13 @@ impl Attenuation {
                 "absorbances that rise with the path: decimal logarithms of what goes in over what comes out",
             ));
         }
+        let errors = found.errors(0.0, readings.len());
         Ok(Attenuation {
             total: Coefficient {
                 per_mm,
-                error: found.errors(0.0, readings.len()).map(|e| e[0]),
+                error: errors.as_ref().map(|e| e[0]),
             },
+            cuvette_error: errors.and_then(|e| e.get(1).copied()),
             cuvette: found.parameters.get(1).copied(),
             readings: readings.to_vec(),
         })
@@ -209,6 +213,7 @@ mod tests {
         let with_error = |per_mm, error| Attenuation {
             total: Coefficient { per_mm, error },
             cuvette: None,
+            cuvette_error: None,
             readings: Vec::new(),
         };
         let (clear, turbid) = (with_error(0.1, Some(0.003)), with_error(0.3, Some(0.004)));

@@ -246,20 +246,20 @@ pub struct DoseFit {
     pub radius_mm: Option<f64>,
     /// Root mean square of what is left, mm.
     pub rms_mm: f64,
+    /// Of a fit of sizes beside a filled column `cured`: the doses whose disc cured below the critical dose, or stayed liquid above it, by more than two standard
+    /// errors; None without that column.
+    pub against_cured: Option<Vec<f64>>,
     #[serde(skip)]
     points: Vec<[f64; 2]>,
 }
 
-/// Reads `discs.csv` and fits whichever of its columns is filled.
+/// Reads `discs.csv` and fits the filled column that says most: `depth_mm`, else `diameter_mm`, each with three cured discs or more, else `cured`; a fit of sizes
+/// is compared with `cured`.
 ///
 /// # Errors
-/// [`Error::Format`] for a file without results or with several kinds of them; [`Error::Config`] for results that fix no dose.
+/// [`Error::Format`] for a file without results; [`Error::Config`] for results that fix no dose.
 pub fn fit(path: &Path) -> Result<DoseFit> {
     let table = Columns::read(path)?;
-    let filled: Vec<&str> = ["cured", "depth_mm", "diameter_mm"]
-        .into_iter()
-        .filter(|name| table.has(name))
-        .collect();
     let refuse = |found: &str| {
         Err(Error::format(
             PathBuf::from(path),
@@ -268,19 +268,36 @@ pub fn fit(path: &Path) -> Result<DoseFit> {
         ))
     };
     let dose = "dose_mj_per_cm2";
-    match filled[..] {
-        [] => refuse("no results"),
-        ["cured"] => fit_cured(&table.pairs(dose, "cured")?),
-        ["depth_mm"] => fit_depth(&table.pairs(dose, "depth_mm")?),
-        ["diameter_mm"] => {
+    let mut filled = Vec::new();
+    for name in ["depth_mm", "diameter_mm", "cured"] {
+        if table.has(name) {
+            filled.push((name, table.pairs(dose, name)?));
+        }
+    }
+    let suffices = |(name, points): &&(&str, Vec<[f64; 2]>)| *name == "cured" || sized(points) >= 3;
+    let Some((from, points)) = filled.iter().find(suffices).or(filled.first()) else {
+        return refuse("no results");
+    };
+    let mut fit = match *from {
+        "cured" => return fit_cured(points),
+        "depth_mm" => fit_depth(points)?,
+        _ => {
             let radius = table.pairs("radius_mm", "diameter_mm")?;
             let Some(&[radius, _]) = radius.first() else {
                 return refuse("diameters without radius_mm");
             };
-            fit_diameter(&table.pairs(dose, "diameter_mm")?, radius)
+            fit_diameter(points, radius)?
         }
-        _ => refuse(&format!("results in {}", filled.join(" and "))),
+    };
+    if let Some((_, cured)) = filled.iter().find(|(name, _)| *name == "cured") {
+        fit.against_cured = Some(fit.contradicted_by(&cured_or_not(cured)?));
     }
+    Ok(fit)
+}
+
+/// How many discs have a size.
+fn sized(points: &[[f64; 2]]) -> usize {
+    points.iter().filter(|p| p[1] > 0.0).count()
 }
 
 /// Doses above 0, in rising order.
@@ -293,15 +310,21 @@ fn sorted(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
     }
 }
 
+/// Doses in rising order and whether the disc cured (1) or not (0).
+fn cured_or_not(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
+    let points = sorted(points)?;
+    match points.iter().find(|p| p[1] != 0.0 && p[1] != 1.0) {
+        Some(p) => Err(Error::refused("cured", p[1], "0 or 1")),
+        None => Ok(points),
+    }
+}
+
 /// Of doses and whether the disc cured (1) or not (0).
 ///
 /// # Errors
 /// [`Error::Config`] when all or none cured, or for other numbers.
 pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
-    let points = sorted(points)?;
-    if let Some(p) = points.iter().find(|p| p[1] != 0.0 && p[1] != 1.0) {
-        return Err(Error::refused("cured", p[1], "0 or 1"));
-    }
+    let points = cured_or_not(points)?;
     let highest_liquid = points.iter().rev().find(|p| p[1] == 0.0);
     let lowest_solid = points.iter().find(|p| p[1] == 1.0);
     let (Some(&[liquid, _]), Some(&[solid, _])) = (highest_liquid, lowest_solid) else {
@@ -333,6 +356,7 @@ pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
         length_error: None,
         radius_mm: None,
         rms_mm: 0.0,
+        against_cured: None,
         points,
     })
 }
@@ -398,7 +422,7 @@ pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
 }
 
 fn enough(column: &str, points: &[[f64; 2]]) -> Result<()> {
-    if points.len() >= 3 {
+    if sized(points) >= 3 {
         return Ok(());
     }
     Err(Error::config(
@@ -439,6 +463,7 @@ fn with_errors(
         length_error: errors.map(|e| e[0]),
         radius_mm,
         rms_mm: (cost / points.len() as f64).sqrt(),
+        against_cured: None,
         points,
     })
 }
@@ -448,6 +473,28 @@ impl DoseFit {
     #[must_use]
     pub fn penetration_mm(&self) -> Option<f64> {
         (self.from == "depth_mm").then_some(self.length_mm)
+    }
+
+    /// Doses at which a disc cured below the critical dose, or did not above it, by more than two standard errors.
+    fn contradicted_by(&self, cured: &[[f64; 2]]) -> Vec<f64> {
+        let near = 2.0 * self.critical_error.unwrap_or(0.0);
+        let is_against = |&&[dose, cured]: &&[f64; 2]| {
+            let above = dose - self.critical_mj_per_cm2;
+            above.abs() > near && (above > 0.0) != (cured == 1.0)
+        };
+        let doses = cured.iter().filter(is_against);
+        doses.map(|p| p[0]).collect()
+    }
+
+    /// Standard errors over their values: of the critical dose, and of the penetration depth where depths gave it.
+    #[must_use]
+    pub fn relative_errors(&self) -> [Option<f64>; 2] {
+        let of = |error: Option<f64>, value: f64| error.map(|error| error / value);
+        let depth = self.penetration_mm();
+        [
+            of(self.critical_error, self.critical_mj_per_cm2),
+            depth.and_then(|depth| of(self.length_error, depth)),
+        ]
     }
 
     /// The dose that gels, mJ/mm³, at the face of a resin with this penetration depth.
@@ -486,5 +533,54 @@ impl DoseFit {
         plot.line(&line, "accent", "fit");
         plot.dots(&self.points, "gel", "measured");
         plot.file("Result of the discs against their dose")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `discs.csv` with cells for cured, depth and diameter.
+    fn fitted(rows: &[(f64, &str)]) -> Result<DoseFit> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("discs.csv");
+        let lines = rows
+            .iter()
+            .map(|(dose, cells)| format!("0.6,{dose},{cells}\n"));
+        let head = "radius_mm,dose_mj_per_cm2,cured,depth_mm,diameter_mm\n".to_owned();
+        std::fs::write(&path, head + &lines.collect::<String>()).unwrap();
+        fit(&path)
+    }
+
+    /// Depths of 1.5 mm·ln(E/20).
+    #[test]
+    fn of_several_columns_depths_are_fitted_and_compared_with_what_cured() {
+        let rows = [
+            (10.0, "0,0,"),
+            (15.0, "1,,"),
+            (40.0, "1,1.0397208,1.1"),
+            (80.0, "0,2.0794415,1.2"),
+            (160.0, "1,3.1191623,1.3"),
+        ];
+        let found = fitted(&rows).unwrap();
+        assert_eq!(found.from, "depth_mm");
+        assert!((found.critical_mj_per_cm2 - 20.0).abs() < 1e-4);
+        assert_eq!(found.against_cured, Some(vec![15.0, 80.0]));
+        // Two depths fix nothing, and three diameters do
+        let rows = rows.map(|(dose, cells)| (dose, cells.replace("1.0397208", "")));
+        let rows = rows.each_ref().map(|(dose, cells)| (*dose, cells.as_str()));
+        assert_eq!(fitted(&rows).unwrap().from, "diameter_mm");
+    }
+
+    #[test]
+    fn doses_and_depths_that_are_swapped_have_large_errors() {
+        let depths = [0.3, 1.0, 2.0, 3.0, 4.0];
+        let rows = depths.map(|depth: f64| (depth, format!(",{},", 20.0 * (depth / 1.5).exp())));
+        let rows = rows.each_ref().map(|(dose, cells)| (*dose, cells.as_str()));
+        let errors = fitted(&rows).unwrap().relative_errors();
+        assert!(
+            errors.iter().all(|error| error.unwrap() > 0.2),
+            "{errors:?}"
+        );
     }
 }

@@ -1,7 +1,8 @@
 //! Gray curve of a machine from a power meter's table.
 //!
 //! **What it models** the irradiance of each gray value: a monotone cubic through the points ([`Table`]), or the line or quadratic of least squares
-//! (Wang et al. 2022, Note 1). A curve is usable where it is above 0 and rises.
+//! (Wang et al. 2022, Note 1). Where readings fall, the cubic goes through the nearest ones that never do ([`Curve::monotone`]). A curve is usable where it is
+//! above 0 and rises.
 //!
 //! **Parameters** gray values 0 … `top`, irradiances in any unit. **Shape** [`GrayCurve::points`] are 256 pairs (value, irradiance), value = gray/top, for
 //! `printer.gray_curve_file`. **Limits** white (`top`) must have been measured; below the lowest gray value the curve goes to 0 at gray 0.
@@ -25,13 +26,14 @@ use tomolith_core::response::curve::Curve;
 use tomolith_core::response::table::Beyond;
 use tomolith_core::response::{Response, Table};
 use tomolith_core::units::concise;
+use tomolith_report::number::significant;
 use tomolith_report::plot::{Axis, Plot};
 
 /// What is laid through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum CurveForm {
-    /// A monotone cubic through every point.
+    /// A monotone cubic through every point, or through the nearest points that never fall.
     #[default]
     Monotone,
     /// The line of least squares.
@@ -177,13 +179,14 @@ impl GrayCurve {
     /// The curve through a table of gray values (0 … top) and irradiances.
     ///
     /// # Errors
-    /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or falls, when the form does so between 0 and top, with the range that
-    /// is usable; when white was not measured.
+    /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or does not rise as a whole, when the form is or does so between 0 and top,
+    /// with the range that is usable; when white was not measured.
     pub fn new(table: &Curve, top: f64, form: CurveForm) -> Result<Self> {
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
+        let level = table.monotone();
         // Irradiances of gray values that cannot be say nothing
         if first >= 0.0 {
-            check_points(table)?;
+            check_points(table, &level)?;
         }
         if first < 0.0 || last != top {
             return Err(Error::config(
@@ -204,7 +207,8 @@ impl GrayCurve {
                         concise(first)
                     ));
                 }
-                Through::Points(points(table)?)
+                notes.extend(falls(table, &level));
+                Through::Points(points(&level)?)
             }
             CurveForm::Line => Through::Polynomial(Polynomial::fit(table, 1)?),
             CurveForm::Quadratic => Through::Polynomial(Polynomial::fit(table, 2)?),
@@ -215,7 +219,7 @@ impl GrayCurve {
                 Some([low, high]) if high == top => {
                     if low > 0.0 {
                         notes.push(format!(
-                            "below gray {low:.2} the fit is negative and taken as 0"
+                            "below gray {low:.2} the fit is negative or does not rise, and is taken as even"
                         ));
                     }
                 }
@@ -307,28 +311,52 @@ fn points(table: &Curve) -> Result<Table> {
     Table::new(&column(0), &column(1), Beyond::Flat)
 }
 
-/// Refuses a table that is negative or falls.
-fn check_points(table: &Curve) -> Result<()> {
+/// Refuses a table that is negative, or whose nearest curve that never falls does not rise.
+fn check_points(table: &Curve, level: &Curve) -> Result<()> {
     let (x, y) = (&table.doses, &table.responses);
-    let negative = y.iter().position(|v| *v < 0.0);
-    let falls = (1..y.len()).find(|&i| y[i] < y[i - 1]);
-    let found = match (negative, falls) {
-        (Some(i), _) => format!(
+    let found = if let Some(i) = y.iter().position(|v| *v < 0.0) {
+        format!(
             "a negative irradiance, {} at gray {}",
             concise(y[i]),
             concise(x[i])
-        ),
-        (None, Some(i)) => format!(
-            "the irradiance falls from {} to {} between gray {} and {}",
-            concise(y[i - 1]),
-            concise(y[i]),
-            concise(x[i - 1]),
-            concise(x[i])
-        ),
-        (None, None) if y.iter().all(|v| *v == y[0]) => "the same irradiance everywhere".to_owned(),
-        (None, None) => return Ok(()),
+        )
+    } else if y.iter().all(|v| *v == y[0]) {
+        "the same irradiance everywhere".to_owned()
+    } else if level.responses[0] == level.responses[x.len() - 1] {
+        format!(
+            "irradiances from {} to {}, which as a whole do not rise",
+            concise(y[0]),
+            concise(y[x.len() - 1])
+        )
+    } else {
+        return Ok(());
     };
     Err(unusable(&found, usable_points(table), RISING))
+}
+
+/// Where readings fall from one gray value to the next, and by how much; None where they never do.
+fn falls(table: &Curve, level: &Curve) -> Option<String> {
+    let (x, y) = (&table.doses, &table.responses);
+    let fall = |i: usize| y[i - 1] - y[i];
+    let places: Vec<usize> = (1..y.len()).filter(|&i| fall(i) > 0.0).collect();
+    let worst = places
+        .iter()
+        .copied()
+        .max_by(|&a, &b| fall(a).total_cmp(&fall(b)))?;
+    let white = level.responses[y.len() - 1];
+    let most = match places.len() {
+        1 => String::new(),
+        count => format!(", the largest of {count} falls"),
+    };
+    Some(format!(
+        "the irradiance falls from {} to {} between gray {} and {}, by {} % of white{most}: the curve goes through the nearest irradiances that never fall; \
+         measure there again if that is more than your meter's noise",
+        concise(y[worst - 1]),
+        concise(y[worst]),
+        concise(x[worst - 1]),
+        concise(x[worst]),
+        significant(100.0 * fall(worst) / white, 2)
+    ))
 }
 
 /// What a table must be.
@@ -344,4 +372,27 @@ fn unusable(what: &str, usable: Option<[f64; 2]>, accepted: &str) -> Error {
         format!("{what}: not a rising curve from black to white; {range}"),
         accepted,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Dark readings of a projector with gamma 2.2, off by up to 0.5 mW/cm².
+    #[test]
+    fn a_noisy_reading_is_warned_of_and_leaves_the_table_usable() {
+        let gray = [0.0, 17.0, 34.0, 51.0, 68.0, 153.0, 255.0];
+        let table = Curve::new(&gray, &[0.0, 0.67, 0.99, 0.45, 2.26, 13.0, 40.0]).unwrap();
+        let curve = GrayCurve::new(&table, 255.0, CurveForm::Monotone).unwrap();
+        assert!((curve.at(34.0) - 0.72).abs() < 1e-6 && (curve.at(17.0) - 0.67).abs() < 1e-6);
+        let [note] = &curve.notes[..] else {
+            panic!("{:?}", curve.notes);
+        };
+        let place = "falls from 0.99 to 0.45 between gray 34 and 51, by 1.4 % of white: ";
+        assert!(note.contains(place), "{note}");
+        // What must rise of a polynomial is the fit
+        for form in [CurveForm::Line, CurveForm::Quadratic] {
+            assert!(GrayCurve::new(&table, 255.0, form).is_ok(), "{form:?}");
+        }
+    }
 }

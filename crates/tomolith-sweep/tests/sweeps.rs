@@ -361,6 +361,13 @@ fn two_sweep_files_have_two_folders_and_a_file_that_moved_keeps_its_own() {
         "--output DIR"
     );
     whole("sweep.toml").unwrap();
+    // The same file with another axis is taken; its table replaces the one before, and finished runs stay
+    let runs = || fs::read_dir(bench.path("out/runs")).unwrap().count();
+    let before = runs();
+    let changed = SWEEP.replace("[0.3, 0.5, 0.7]", "[0.2]");
+    bench.write("sweep.toml", &changed);
+    bench.whole("out", 2);
+    assert!(bench.read("out/table.csv").lines().count() == 4 && runs() > before);
     fs::remove_file(bench.path("sweep.toml")).unwrap();
     whole("other.toml").unwrap();
 }

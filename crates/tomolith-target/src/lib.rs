@@ -41,7 +41,7 @@ pub use bodies::{Assembly, BodySpec, Role};
 pub use diagnosis::{Diagnosis, Repair};
 pub use horizontal_faces::HorizontalFaces;
 pub use image::GrayImage;
-pub use mesh_unit::MeshUnit;
+pub use mesh_unit::{LONG_MM, MeshUnit};
 pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};

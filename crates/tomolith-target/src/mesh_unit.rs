@@ -54,6 +54,9 @@ impl MeshUnit {
     }
 }
 
+/// Longest edge above which a part is asked whether its numbers were taken for inches, mm: parts in a vial are shorter.
+pub const LONG_MM: f64 = 100.0;
+
 /// Reads the mesh of a table of the job, which may state its unit; lengths in that unit.
 ///
 /// # Errors
@@ -108,6 +111,7 @@ impl TargetSpec {
             .map(|i| bounds[1][i] - bounds[0][i])
             .fold(0.0, f64::max);
         let [least, most] = expected_mm;
+        let is_expected = |mm: f64| (least..=most).contains(&mm);
         let others: &[MeshUnit] = if longest < least {
             &[MeshUnit::M, MeshUnit::Inch, MeshUnit::Cm]
         } else if longest > most {
@@ -116,11 +120,22 @@ impl TargetSpec {
             &[]
         };
         let mut rows = others.iter().map(|unit| unit.row());
-        let fits = rows.find(|(mm, ..)| (least..=most).contains(&(longest * mm)));
-        fits.map(|(_, name, words)| {
+        let unit = rows.find(|(mm, ..)| is_expected(longest * mm));
+        let unit = unit.map(|(_, name, words)| {
+            format!("is its file in {words}? set target.mesh_unit = \"{name}\"")
+        });
+        let (inch, ..) = MeshUnit::Inch.row();
+        let in_mm = longest / inch;
+        let of_inches = (longest > most.max(LONG_MM) && is_expected(in_mm)).then(|| {
+            let size = concise(in_mm);
+            format!("were its millimeters exported as inches? set target.size_mm = {size}")
+        });
+        let questions: Vec<String> = unit.into_iter().chain(of_inches).collect();
+        (!questions.is_empty()).then(|| {
             format!(
-                "the part is {} mm long: is its file in {words}? set target.mesh_unit = \"{name}\"",
-                concise(longest)
+                "the part is {} mm long: {}",
+                concise(longest),
+                questions.join("; ")
             )
         })
     }

@@ -438,6 +438,10 @@ mod tests {
             let text = asked(mesh, longest).unwrap();
             assert_eq!(text, expected);
         }
+        // 4 mm that became 4 inches
+        let text = asked(mesh, 101.6).unwrap();
+        let expected = "the part is 101.6 mm long: were its millimeters exported as inches? set target.size_mm = 4";
+        assert_eq!(text, expected);
         // A part that is merely too large, one of the right size, and what says its size
         for (toml, longest) in [
             (mesh, 30.0),

@@ -48,6 +48,15 @@ fn meshes_and_phantoms_become_voxels() {
         "voxelize cube.obj --pitch-mm 50 --output p.npy",
         &["no voxel is at least half inside"],
     );
+    // 1200³ voxels: the pitch alone makes no file of 6.9 GB
+    bench.refuse(
+        "voxelize cube.obj --pitch-mm 0.001 --output large.npy",
+        &[
+            "--pitch-mm: ",
+            "a file of 6912 MB",
+            "--shape 1200 1200 1200",
+        ],
+    );
     bench.refuse(
         "phantom gear --pitch-mm -1 --output a.npy",
         &["--pitch-mm: -1"],

@@ -245,6 +245,14 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
             "is its file in meters? give --mesh-unit \"m\"",
         ],
     );
+    bench.write("inches.obj", obj([101.6, 25.4, 25.4]).as_bytes());
+    bench.says(
+        0,
+        "voxelize inches.obj --pitch-mm 5 --output i.npy",
+        &[
+            "is its file in micrometers? give --mesh-unit \"um\"; were its millimeters exported as inches? give --size-mm 4",
+        ],
+    );
     let line = line.replace("v.npy", "w.npy");
     let found = bench.json(&format!("{line} --mesh-unit m"));
     assert_eq!(found["part_voxels"], 20 * 20 * 10);

@@ -3,6 +3,7 @@
 use crate::bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
+use tomolith::report::number::significant;
 
 /// A data file of the examples.
 fn example(name: &str) -> String {
@@ -41,9 +42,15 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         &format!("calibrate gray {visible}"),
         &["usable from gray 86.1 to 239.1"],
     );
-    bench.write("falls.csv", "0,0\n128,3\n255,2\n");
+    // A reading that falls is warned of, and no polynomial is refused for it
+    bench.write("noisy.csv", "0,0.2\n64,0.1\n128,2\n192,5\n255,10\n");
+    let noisy = bench.json("calibrate gray noisy.csv");
+    let expected = "falls from 0.2 to 0.1 between gray 0 and 64, by 1 % of white";
+    assert!(noisy["warnings"].to_string().contains(expected), "{noisy}");
+    bench.done("calibrate gray noisy.csv --form line --quiet");
+    bench.write("falls.csv", "0,3\n128,4\n255,1\n");
     bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
-    // Falling is told before the missing top
+    // That it does not rise is told before the missing top
     bench.write("low.csv", "10,3\n30,2\n");
     bench.write("short.csv", "0,0\n200,3\n");
     bench.write("below.csv", "-20,-1\n128,3\n255,4\n");
@@ -53,11 +60,11 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "$ calibrate gray {visible} --form quadratic
         gray-visible.csv … usable from gray 86.15 to 239.06 … monotone
         $ calibrate gray falls.csv
-        falls from 3 to 2 … usable from gray 0.00 to 128.00
+        from 3 to 1, which as a whole do not rise … usable from gray 0.00 to 128.00
         $ calibrate gray negative.csv
         a negative irradiance … from gray 128.00 to 255.00
         $ calibrate gray low.csv
-        falls from 3 to 2
+        from 3 to 2, which as a whole do not rise
         $ calibrate gray below.csv
         gray values from -20 to 255
         $ calibrate gray one.csv
@@ -224,8 +231,29 @@ fn a_spectrometer_gives_absorption_and_scattering() {
         bench.refuse("calibrate absorbance bad.csv", &["bad.csv", part]);
     }
     bench.write("dark.csv", "path_mm,resin\n10,3.4\n");
-    let warnings = &bench.json("calibrate absorbance dark.csv")["warnings"];
-    assert!(warnings.to_string().contains("stray light"), "{warnings}");
+    // Columns swapped: 44 per mm, and a cuvette that gives light
+    bench.write(
+        "swapped.csv",
+        "path_mm,resin\n0.147231,2\n0.303577,5\n0.564153,10\n",
+    );
+    for (file, parts) in [
+        ("dark.csv", &["stray light"][..]),
+        (
+            "swapped.csv",
+            &[
+                "44.2 per mm (resin): ",
+                "cuvette that shows −0.825",
+                "are swapped",
+            ],
+        ),
+    ] {
+        let warnings = bench.json(&format!("calibrate absorbance {file}"))["warnings"].to_string();
+        for part in parts {
+            assert!(warnings.contains(part), "{warnings}");
+        }
+    }
+    let warnings = &bench.json("calibrate absorbance a.csv")["warnings"];
+    assert_eq!(warnings.as_array().unwrap().len(), 0, "{warnings}");
 }
 
 #[test]
@@ -326,6 +354,39 @@ fn discs_are_drawn_and_their_result_is_read() {
     let fit = bench.json("calibrate dose diameter.csv");
     near(&fit["fit"]["critical_mj_per_cm2"], 12.0, 0.05);
     near(&fit["fit"]["length_mm"], 0.05, 0.001);
+    // All columns at once: depths are fitted, and compared with what cured. Disc 5 lies below 20 mJ/cm², disc 9 above
+    let all = |liquid: usize| {
+        fill(&|j, dose| {
+            let depth = 1.5 * (dose / 20.0).ln();
+            let cured = u8::from(j == 2 || j >= 4 && j != liquid);
+            format!(",{cured},{},1.2", depth.max(0.0))
+        })
+    };
+    bench.write("several.csv", &all(9));
+    let fit = bench.json("calibrate dose several.csv");
+    assert_eq!(fit["fit"]["from"], "depth_mm");
+    near(&fit["fit"]["critical_mj_per_cm2"], 20.0, 0.01);
+    let dose = |j: i32| significant(10.0 * 16f64.powf(f64::from(j) / 14.0), 4);
+    let expected = format!("that depth_mm gives, at {}, {} mJ/cm²", dose(2), dose(9));
+    assert!(fit["warnings"].to_string().contains(&expected), "{fit}");
+    let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
+    assert_eq!(fit["warnings"].as_array().unwrap().len(), 0, "{fit}");
+    // Doses and depths swapped: errors of 29 and 21 %
+    let swapped = fill(&|_, _| String::new());
+    let swap = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let dose: f64 = cells[5].parse().ok()?;
+        let depth = 1.5 * (dose / 8.0).ln();
+        Some(format!("{},{depth},,{dose},", cells[..5].join(",")))
+    };
+    let rows: Vec<String> = swapped
+        .lines()
+        .map(|line| swap(line).unwrap_or_else(|| line.to_owned()))
+        .collect();
+    bench.write("swapped.csv", &rows.join("\n"));
+    let fit = bench.json("calibrate dose swapped.csv");
+    let expected = "of the penetration depth: look whether dose_mj_per_cm2 and depth_mm are swapped or in other units";
+    assert!(fit["warnings"].to_string().contains(expected), "{fit}");
     let unused = format!("calibrate dose {} --penetration-mm 5", example("discs.csv"));
     let unused = &bench.json(&unused)["warnings"];
     assert!(
@@ -348,7 +409,7 @@ fn discs_are_drawn_and_their_result_is_read() {
         $ calibrate dose none.csv
         no disc cured … above 160 mJ/cm²
         $ calibrate dose both.csv
-        results in cured and depth_mm
+        depth_mm: sizes that fall with the dose or stay the same
         $ calibrate dose cured.csv --penetration-mm 0
         --penetration-mm
         $ {line} --output print
@@ -428,6 +489,13 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     // No time prints all of the part and nothing else
     assert!(pw < 0.0 && found["pw_s"].is_null(), "{found}");
     bench.says(0, "expose b", &["nearly as good", "delivered light"]);
+    // 24 frames a turn: 0.25 turns a minute are 0.1 frames a second
+    let slow = "expose a --irradiance 25 --critical-dose 0.8 --rpm";
+    for (rpm, is_slow) in [("0.24", true), ("0.25", false)] {
+        let warnings = bench.json(&format!("{slow} {rpm}"))["warnings"].to_string();
+        let part = "which players do not show evenly and `tomolith export` refuses: 0.25 turns";
+        assert_eq!(warnings.contains(part), is_slow, "{warnings}");
+    }
 
     bench.refuse_each(
         "$ expose a

@@ -17,6 +17,6 @@ mod tone;
 pub use budget::{Budget, ExposureBudget};
 pub use calibration::{CALIBRATIONS, Calibration};
 pub use maps::read_map;
-pub use movie::{frame_rate, movie_name, shown_rate};
+pub use movie::{SLOWEST, frame_rate, is_too_slow, movie_name, shown_rate};
 pub use printer::{Printer, PrinterSpec, Rotation};
 pub use quantize::{Quantized, quantize};

@@ -45,11 +45,17 @@ pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
 }
 
 /// Slowest movie that players show evenly, frames a second.
-const SLOWEST: f64 = 0.1;
+pub const SLOWEST: f64 = 0.1;
 /// Speeds are told in six digits: what is told is accepted.
 const ROUNDED: f64 = 1e-5;
 /// The fastest screens, images a second: the limit where no printer says its own.
 pub const FASTEST: f64 = 240.0;
+
+/// Whether a movie of more than one frame is slower than players show evenly.
+#[must_use]
+pub fn is_too_slow(rate_hz: f64, frames: usize) -> bool {
+    frames > 1 && rate_hz < SLOWEST * (1.0 - ROUNDED)
+}
 
 /// The frame rate of a movie at `rpm`, when a device that shows `refresh_hz` images a second can play it.
 ///
@@ -93,7 +99,7 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
             ),
         );
     }
-    if frames > 1 && rate < SLOWEST * (1.0 - ROUNDED) {
+    if is_too_slow(rate, frames) {
         let least = (frames as f64 * SLOWEST / rate - ROUNDED).ceil();
         return refuse(
             "players do not show evenly",

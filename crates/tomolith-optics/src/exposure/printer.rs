@@ -118,9 +118,9 @@ tomolith_core::keys! {
         /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
         #[schemars(range(min = -360.0, max = 360.0))]
         pub start_deg: Option<f64>,
-        /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
+        /// Value (level over highest level) and intensity of the device, points [value, intensity], joined by a monotone cubic; proportional when left out.
         pub gray_curve: Option<Vec<[f64; 2]>>,
-        /// The gray curve from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
+        /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
         pub gray_curve_file: Option<PathBuf>,
         /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
         pub flat_field: Option<PathBuf>,

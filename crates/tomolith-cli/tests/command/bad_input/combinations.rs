@@ -126,6 +126,12 @@ light … found a table … a list, whose tables are written [[light]]
 + absorption_per_mm = 90
 light … no light meets the target … absorption_per_mm
 
+# A plate of a fifth of a voxel
+- phantom = "gear"
+- size_mm = 2.0
++ phantom = { cylinder = { size_mm = 2.0, height_mm = 0.02 } }
+target … no voxel of the grid is half filled by the target … a smaller grid.pitch_mm
+
 # What does not fit
 - size_mm = 2.0
 + size_mm = 9.0

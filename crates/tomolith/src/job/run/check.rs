@@ -59,6 +59,8 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
     let voxels = resolved.voxels(&resolved.grid, &sampling)?;
     let sampling_s = begin.elapsed().as_secs_f64();
     resolved.must_start(&voxels)?;
+    // Before the start, which would blame the light for a part without voxels
+    let of_voxels = resolved.warnings_of(&voxels)?;
     try_orders(&mut resolved, progress, &sampling)?;
     let trying = stage(progress, work, "trying the start of the optimization").aside();
     let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
@@ -83,7 +85,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         resolved.notes.push(text);
     }
     let mut warnings = resolved.warnings.clone();
-    warnings.extend(resolved.warnings_of(&voxels)?);
+    warnings.extend(of_voxels);
     // How much there is to time is not known beforehand
     let timing = stage(progress, work, "timing a few frames on this machine").aside();
     let rates = benchmark::rates(&resolved, &voxels[0], sampling_s, &timing)?;

@@ -104,9 +104,9 @@ tomolith_core::keys! {
     /// What the machine is to one light; what is left out is that of `[printer]`.
     #[derive(PartialEq)]
     pub struct LightPrinterSpec {
-        /// Value (level over highest level) and intensity of the device, points [value, intensity].
+        /// Value (level over highest level) and intensity of the device, points [value, intensity], joined by a monotone cubic.
         pub gray_curve: Option<Vec<[f64; 2]>>,
-        /// The gray curve from a file with two columns.
+        /// The same from a file with two columns.
         pub gray_curve_file: Option<PathBuf>,
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
         #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
