@@ -22,6 +22,9 @@ pub(crate) struct Job {
     files: Option<Py<PyAny>>,
 }
 
+/// What a job is restored from: where its paths begin, its tables, its folder.
+type State<'py> = (String, Bound<'py, PyAny>, String);
+
 #[pymethods]
 impl Job {
     #[new]
@@ -130,9 +133,7 @@ impl Job {
     }
 
     /// Its tables, and where paths in them begin.
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (String, Bound<'py, PyAny>, String))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, State<'py>)> {
         let (py, Job { job, files }) = (slf.py(), slf.get());
         let place = |path: &Path| match std::path::absolute(path) {
             Ok(path) => path.display().to_string(),
