@@ -147,7 +147,9 @@ class Look {
     this.legend.replaceChildren(...this.shown.map((layer) => legendOf(layer.legend())));
   }
 
-  private read(point: Point): void {
+  /** Says what the voxel under a point is, by its middle, as the planes name theirs. */
+  private read(under: Point): void {
+    const point = this.planes.options.grid.middleAt(under);
     const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
     const body = bodyAt(this.volumes.bodies, point);
     this.readout.textContent = [`${place} mm`, ...this.layers.map((layer) => layer.value(point)), ...(body === null ? [] : [body])].join("  ·  ");

@@ -35,6 +35,8 @@ export interface PlanesOptions {
   hover?: (point: Point | null, layer: Layer) => void;
 }
 
+/** Which side of the part is toward the reader. */
+const SEEN_FROM: Record<Axis, string> = { 2: "from +z", 1: "from −y", 0: "from +x" };
 const NAMES: Record<Axis, string> = { 2: "Top view, x–y", 1: "Front view, x–z", 0: "Side view, y–z" };
 const LARGEST_ZOOM = 24;
 /** Parts whose height is below this share of their width have their side views above each other. */
@@ -119,6 +121,11 @@ function extent(grid: Grid, axis: Axis): number {
 
 /** In a lower plane the ruler would hide what is shown, px. */
 const SMALLEST_WITH_RULER = 90;
+/** Room of the arrows of the axes, in a plane that is large enough for them, px. */
+const ARROWS = 38;
+const SMALLEST_WITH_ARROWS = 56;
+/** Ground of what is written over a slice, whatever its colors are. */
+const LABEL_GROUND = "rgb(0 0 0 / 0.5)";
 
 class PlaneView {
   readonly element: HTMLElement;
@@ -147,7 +154,7 @@ class PlaneView {
     this.canvas.setAttribute("aria-valuemax", String(last));
     const [right, up] = ACROSS[axis];
     this.canvas.style.aspectRatio = `${extent(grid, right)} / ${extent(grid, up)}`;
-    this.element = h("figure.plane", {}, h("figcaption", {}, h("span", {}, name), this.place), this.canvas, this.slider);
+    this.element = h("figure.plane", {}, h("figcaption", {}, h("span", { title: `seen ${SEEN_FROM[axis]}` }, name), this.place), this.canvas, this.slider);
     this.listen();
     this.watcher.observe(this.canvas);
   }
@@ -224,6 +231,7 @@ class PlaneView {
     for (const outline of this.outlines) stroke(context, outline, x, y, ratio, style.getPropertyValue(outline.color).trim() || outline.color);
     this.cross(context, x, y, width, height, ratio);
     this.ruler(context, width, height, ratio);
+    this.arrows(context, width, height, ratio);
   }
 
   /** From mm to pixels of the canvas. */
@@ -266,13 +274,44 @@ class PlaneView {
     const text = length < 1 ? `${Math.round(length * 1000)} µm` : `${length} mm`;
     context.font = `${11 * ratio}px system-ui, sans-serif`;
     const across = Math.max(length * perMm, context.measureText(text).width);
-    context.fillStyle = "rgb(0 0 0 / 0.5)";
+    context.fillStyle = LABEL_GROUND;
     context.beginPath();
     context.roundRect(left - 6 * ratio, bottom - 20 * ratio, across + 12 * ratio, 27 * ratio, 5 * ratio);
     context.fill();
     context.fillStyle = "#fff";
     context.fillRect(left, bottom - ratio, length * perMm, 2 * ratio);
     context.fillText(text, left, bottom - 6 * ratio);
+  }
+
+  /** Where the axes point: to the right and upward. */
+  private arrows(context: CanvasRenderingContext2D, width: number, height: number, ratio: number): void {
+    if (Math.min(width, height) < SMALLEST_WITH_ARROWS * ratio) return;
+    const [right, up] = ACROSS[this.shown.axis];
+    context.save();
+    context.translate(width - (ARROWS + 5) * ratio, height - 5 * ratio);
+    context.scale(ratio, ratio);
+    context.fillStyle = LABEL_GROUND;
+    context.beginPath();
+    context.roundRect(0, -ARROWS, ARROWS, ARROWS, 5);
+    context.fill();
+    [context.strokeStyle, context.fillStyle, context.lineWidth] = ["#fff", "#fff", 1.25];
+    const [corner, tip, head] = [8, 26, 3];
+    context.beginPath();
+    context.moveTo(tip - head, -corner - head);
+    context.lineTo(tip, -corner);
+    context.lineTo(tip - head, -corner + head);
+    context.moveTo(tip, -corner);
+    context.lineTo(corner, -corner);
+    context.lineTo(corner, -tip);
+    context.moveTo(corner - head, -tip + head);
+    context.lineTo(corner, -tip);
+    context.lineTo(corner + head, -tip + head);
+    context.stroke();
+    context.font = "11px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.fillText(AXES[right], tip + 6, -corner + 3);
+    context.fillText(AXES[up], corner, -tip - 4);
+    context.restore();
   }
 
   private pointOf(event: MouseEvent): Point {

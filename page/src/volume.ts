@@ -61,6 +61,14 @@ export class Grid {
     return Math.floor((mm - this.range(axis)[0]) / this.pitch[axis] + 1e-6);
   }
 
+  /** The middle of the voxel that holds a point, or of the nearest one. */
+  middleAt(point: Point): Point {
+    return this.nearest(point).map((mm, axis) => {
+      const index = Math.max(this.index(axis as Axis, mm), 0);
+      return this.middle(axis as Axis, Math.min(index, this.shape[axis] - 1));
+    }) as Point;
+  }
+
   /** The coordinate of the middle of a voxel, mm. */
   middle(axis: Axis, index: number): number {
     return this.range(axis)[0] + (index + 0.5) * this.pitch[axis];

@@ -89,7 +89,42 @@ describe("planes and threshold", { skip }, () => {
     await settled(page);
     assert.notEqual(await pixels(page, FRONT), before);
     assert.match(await text(page, "#look .plane:nth-of-type(2) .place"), /^y = 0\.\d+ mm/);
-    assert.match(await text(page, "#look .readout"), /^x −0\.\d+, y 0\.\d+, z .* dose 0\.\d+ · target/);
+    assert.match(await text(page, "#look .readout"), /^x −1\.000, y 0\.680, z 0\.040 mm .* dose 0\.\d+ · target/);
+    await page.close();
+  });
+
+  it("names the voxel under the pointer by its middle, as the planes name theirs", async () => {
+    const page = await open(address);
+    const places = async () => (await page.$$eval("#look .plane .place", (all) => all.map(({ textContent }) => textContent ?? ""))).map((place) => /^(.) = (\S+) mm/.exec(place)!.slice(1).join(" "));
+    const read = async () => (await text(page, "#look .readout")).split(" mm")[0].split(", ");
+    const agree = async () => assert.deepEqual(await read(), (await places()).reverse());
+    await agree();
+    const canvas = (await page.$(TOP))!;
+    await canvas.scrollIntoView();
+    const box = (await canvas.boundingBox())!;
+    const [x, y] = [box.x + 0.31 * box.width, box.y + 0.67 * box.height];
+    await page.mouse.move(x, y);
+    const under = await read();
+    await page.mouse.click(x, y);
+    await settled(page);
+    assert.deepEqual(await read(), under);
+    await agree();
+    await page.close();
+  });
+
+  it("draws arrows of the axes, to the right and upward", async () => {
+    const page = await open(address);
+    // White on the ground of labels: the tips are drawn, and nothing beyond the corner of the arrows
+    const white = (selector: string) =>
+      page.$eval(selector, (element) => {
+        const canvas = element as HTMLCanvasElement;
+        const ratio = window.devicePixelRatio;
+        const [left, top] = [canvas.width - 43 * ratio, canvas.height - 43 * ratio];
+        const { data } = canvas.getContext("2d")!.getImageData(left, top, 38 * ratio, 38 * ratio);
+        const is = (x: number, y: number) => Math.min(...data.slice(4 * (Math.round(y * ratio) * 38 * ratio + Math.round(x * ratio)), 4 * (Math.round(y * ratio) * 38 * ratio + Math.round(x * ratio)) + 3)) > 150;
+        return [is(8, 20), is(18, 30), is(20, 18)];
+      });
+    for (const plane of [1, 2, 3]) assert.deepEqual(await white(`#look .plane:nth-of-type(${plane}) canvas`), [true, true, false]);
     await page.close();
   });
 

@@ -323,3 +323,13 @@ inBrowser("500 pixels are enough", async () => {
     assert.ok(scroll <= client, `${scroll} in ${client}`);
   }
 });
+
+inBrowser("a long key is broken where 400 pixels do not hold it", async () => {
+  const data = pageData();
+  data.runs[0].texts!.limits[0].sentence = "Finer pixels may bring more: lower `light[0].projector.collimated.pixel_pitch_mm`, or the height of its rows.";
+  const page = await open(data, { width: 400 });
+  assert.match(await text(page, "#limits code"), /pixel_pitch_mm$/);
+  const [scroll, client] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+  assert.ok(scroll <= client, `${scroll} in ${client}`);
+  await page.close();
+});

@@ -1,9 +1,10 @@
 //! numpy arrays ↔ images and volumes.
 
-use crate::work::TomolithError;
+use crate::work::{raised, refused};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyList, PyTuple};
+use pyo3::types::{PyDict, PyList, PyTuple};
+use tomolith::Error;
 use tomolith::grid::{PatternGrid, Patterns, Volume};
 
 /// numpy's letters of what is a real number: booleans, whole numbers with and without sign, floating-point numbers.
@@ -19,26 +20,26 @@ fn float32<'py>(what: &str, array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
         .getattr("ma")?
         .call_method1("isMaskedArray", (array,))?;
     if is_masked.is_truthy()? {
-        return Err(TomolithError::new_err(format!(
-            "{what}: found a masked array; accepted: numbers everywhere, for example array.filled(0)"
-        )));
+        let accepted = "numbers everywhere, for example array.filled(0)";
+        return Err(refused(what, "a masked array", accepted));
     }
-    let refused = |e: PyErr| {
+    let no_numbers = |e: PyErr| {
         let found = e.value(array.py()).to_string();
-        TomolithError::new_err(format!("{what}: {found}; accepted: numbers"))
+        raised(Error::config(what, found, "numbers"))
     };
     // Without a conversion: a date is no number, and of a complex one a half would be lost
-    let given = numpy.call_method1("asarray", (array,)).map_err(refused)?;
+    let given = numpy
+        .call_method1("asarray", (array,))
+        .map_err(no_numbers)?;
     let dtype = given.getattr("dtype")?;
     let kind: String = dtype.getattr("kind")?.extract()?;
     if !NUMBERS.contains(&kind.as_str()) {
-        return Err(TomolithError::new_err(format!(
-            "{what}: found {dtype}; accepted: numbers that are real, such as float32"
-        )));
+        let accepted = "numbers that are real, such as float32";
+        return Err(refused(what, dtype, accepted));
     }
     // What overflows becomes infinite, and is refused by its place
     let converted = numpy.call_method1("ascontiguousarray", (given, numpy.getattr("float32")?));
-    converted.map_err(refused)
+    converted.map_err(no_numbers)
 }
 
 /// Arrays of these shapes, with finite numbers: a list of them, or the array where there is one shape.
@@ -57,18 +58,16 @@ pub(crate) fn arrays(
     };
     if each.len() != shapes.len() {
         let (found, accepted) = (each.len(), shapes.len());
-        return Err(TomolithError::new_err(format!(
-            "{what}: found {found} array(s); accepted: a list of {accepted}, each {axes}"
-        )));
+        let accepted = format!("a list of {accepted}, each {axes}");
+        return Err(refused(what, format!("{found} array(s)"), accepted));
     }
     let values = |(array, shape): (&Bound<'_, PyAny>, &[usize; 3])| {
         let array = float32(what, array)?;
         let same = |array: &PyReadonlyArray3<'_, f32>| array.shape() == shape;
         let Some(array) = array.extract().ok().filter(same) else {
             let found: Vec<usize> = array.getattr("shape")?.extract()?;
-            return Err(TomolithError::new_err(format!(
-                "{what}: found shape {found:?}; accepted: {shape:?} {axes}"
-            )));
+            let found = format!("shape {found:?}");
+            return Err(refused(what, found, format!("{shape:?} {axes}")));
         };
         let values = array.as_slice()?.to_vec();
         must_be(
@@ -131,10 +130,8 @@ fn must_be(
         return Ok(());
     };
     let at = [i / (rows * columns), i / columns % rows, i % columns];
-    Err(TomolithError::new_err(format!(
-        "{what}: found {} at {at:?} {axes}; accepted: {accepted}",
-        values[i]
-    )))
+    let found = format!("{} at {at:?} {axes}", values[i]);
+    Err(refused(what, found, accepted))
 }
 
 /// `[z, y, x]`
@@ -165,12 +162,26 @@ pub(crate) fn one_or_list<'py, T: numpy::Element>(
     }
 }
 
+/// An array, or a list of them, that is a copy of what the library holds: a change would be lost, so it is refused.
+pub(crate) fn read_only(arrays: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyAny>> {
+    let flags = PyDict::new(arrays.py());
+    flags.set_item("write", false)?;
+    let seal = |array: &Bound<'_, PyAny>| array.call_method("setflags", (), Some(&flags)).map(drop);
+    match arrays.cast::<PyList>() {
+        Ok(list) => list.iter().try_for_each(|array| seal(&array))?,
+        Err(_) => seal(&arrays)?,
+    }
+    Ok(arrays)
+}
+
 /// Refuses what was computed where numbers have become too large for float32.
 pub(crate) fn must_be_finite(what: &str, values: &[f32]) -> PyResult<()> {
     match values.iter().find(|v| !v.is_finite()) {
         None => Ok(()),
-        Some(found) => Err(TomolithError::new_err(format!(
-            "{what}: found {found} in the result; accepted: numbers whose result fits float32 (below 3.4e38)"
-        ))),
+        Some(found) => Err(refused(
+            what,
+            format!("{found} in the result"),
+            "numbers whose result fits float32 (below 3.4e38)",
+        )),
     }
 }

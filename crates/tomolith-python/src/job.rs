@@ -1,20 +1,29 @@
 //! `Job`: a job file, and the whole run of it.
 
 use crate::resolved::ResolvedJob;
-use crate::work::{TomolithError, interruptible, interruptible_observed, plain, raised};
+use crate::work::{
+    TomolithError, advising, interruptible, interruptible_observed, plain, raised, refused,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use tomolith::job::{self, Document, Summary};
+use tomolith::job::{self, Document, RunFolder, Summary};
 
 /// A job: its tables, checked.
 ///
-/// `source` is the path of a job file (TOML or JSON) or a dict of its tables (docs/job.md), which may hold numbers and arrays of numpy, and paths; `set` holds
+/// `source` is the path of a job file (TOML or JSON) or a dict of its tables (docs/job.md), which may hold numbers and arrays of numpy, and paths; its `target.stack` may be an array `[z, y, x]`. `set` holds
 /// changes, as a dict of dotted keys, `{"stop.iterations": 10}`, or a list, `["stop.iterations=10"]`; `folder` is the run folder, `out/NAME` without it. A key or value that cannot be used raises `TomolithError` with the
 /// key, the line, and what is accepted. Jobs can be pickled.
 #[pyclass(module = "tomolith", frozen)]
-pub(crate) struct Job(job::Job);
+pub(crate) struct Job {
+    job: job::Job,
+    /// The folder of its arrays, which goes when the job does; none where it has no arrays.
+    files: Option<Py<PyAny>>,
+}
+
+/// What a job is restored from: where its paths begin, its tables, its folder.
+type State<'py> = (String, Bound<'py, PyAny>, String);
 
 #[pymethods]
 impl Job {
@@ -25,46 +34,46 @@ impl Job {
         set: Option<&Bound<'_, PyAny>>,
         folder: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let mut document = match source.cast::<PyDict>() {
-            Ok(tables) => {
-                let text = text_of(tables)?;
-                Document::json("job.json", text)
+        let (mut document, files) = match source.cast::<PyDict>() {
+            Ok(tables) => document_of(tables, Path::new("job.json"))?,
+            Err(_) => {
+                let file: PathBuf = source.extract()?;
+                (Document::read(&file).map_err(raised)?, None)
             }
-            Err(_) => Document::read(&source.extract::<PathBuf>()?),
-        }
-        .map_err(raised)?;
+        };
         let changes = set.map_or(Ok(Vec::new()), changes_of)?;
         (changes.iter())
             .try_for_each(|change| document.set(change))
             .map_err(raised)?;
         let job = job::Job::from_document(document).map_err(raised)?;
-        Ok(Job(match folder {
+        let job = match folder {
             Some(folder) => job.with_folder(&folder, "folder"),
             None => job,
-        }))
+        };
+        Ok(Job { job, files })
     }
 
     /// Its name: that of the file, without ending.
     #[getter]
     fn name(&self) -> String {
-        self.0.name()
+        self.job.name()
     }
 
     /// The run folder.
     #[getter]
     fn folder(&self) -> PathBuf {
-        self.0.folder()
+        self.job.folder()
     }
 
     /// The job with every default written out, as a dict.
     #[getter]
     fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        plain(py, &self.0.complete())
+        plain(py, &self.job.complete())
     }
 
     /// What the run would take, as `tomolith check --json`.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let plan = interruptible(py, |work| job::check(&self.0, &mut job::Silent, work))?;
+        let plan = interruptible(py, |work| job::check(&self.job, &mut job::Silent, work))?;
         plain(py, &plan)
     }
 
@@ -74,7 +83,7 @@ impl Job {
     /// the methods `event(dict)` and `snapshot(dict)` may name in its attribute `wants`, which is read after each event, the copies that it gets at the next iteration and
     /// at the end: "patterns" `[frame, row, column]`, "dose" and "print" `[z, y, x]`. What it raises ends the run.
     ///
-    /// `cancel`, such as a `threading.Event`, ends the run when it is set, which raises `Canceled`; Ctrl-C raises `KeyboardInterrupt`. Both leave a checkpoint, from which
+    /// `cancel`, such as a `threading.Event`, ends the run when it is set, which raises `Canceled`; Ctrl-C raises `KeyboardInterrupt`. After the first iteration both leave a checkpoint, from which
     /// `resume=True` goes on. A folder that holds a finished run of another job is refused without `overwrite=True`, a folder in use always.
     #[pyo3(signature = (*, resume=false, overwrite=false, progress=None, cancel=None))]
     fn run<'py>(
@@ -88,6 +97,10 @@ impl Job {
         let job = self.replacing(overwrite);
         let summary = interruptible_observed(py, progress, cancel, |progress, work| {
             job::run(&job, resume, progress, work)
+        })
+        .map_err(|e| match RunFolder::holds_a_checkpoint(&job.folder()) {
+            true => advising(py, e, "Job.run(resume=True) goes on from the checkpoint"),
+            false => e,
         })?;
         done(py, &summary)
     }
@@ -110,36 +123,50 @@ impl Job {
         done(py, &summary)
     }
 
-    /// The job of a text, in another process.
+    /// The job of its tables, in another process.
     #[staticmethod]
-    fn _restored(file: PathBuf, tables: String, folder: PathBuf) -> PyResult<Self> {
-        let document = Document::json(file, tables).map_err(raised)?;
+    fn _restored(file: PathBuf, tables: &Bound<'_, PyDict>, folder: PathBuf) -> PyResult<Self> {
+        let (document, files) = document_of(tables, &file)?;
         let job = job::Job::from_document(document).map_err(raised)?;
-        Ok(Job(job.with_folder(&folder, "folder")))
+        let job = job.with_folder(&folder, "folder");
+        Ok(Job { job, files })
     }
 
     /// Its tables, and where paths in them begin.
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (String, String, String))> {
-        let job = &slf.get().0;
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, State<'py>)> {
+        let (py, Job { job, files }) = (slf.py(), slf.get());
         let place = |path: &Path| match std::path::absolute(path) {
             Ok(path) => path.display().to_string(),
             Err(_) => path.display().to_string(),
         };
-        let tables = job.document.root.to_string();
+        let mut tables = plain(py, &job.document.root)?;
+        if let Some(files) = files {
+            let arrays = py.import("tomolith._arrays")?;
+            tables = arrays.call_method1("with_arrays", (tables, files))?;
+        }
         let state = (place(&job.document.file), tables, place(&job.folder()));
         Ok((slf.get_type().getattr("_restored")?, state))
     }
 
     /// The job as objects: model, objective, start, and what patterns print.
     fn resolve(&self, py: Python<'_>) -> PyResult<ResolvedJob> {
-        interruptible(py, |_| job::ResolvedJob::new(&self.0).map(ResolvedJob::new))
+        interruptible(py, |_| {
+            job::ResolvedJob::new(&self.job).map(ResolvedJob::new)
+        })
     }
 
     fn __repr__(&self) -> String {
-        format!("<tomolith.Job {}>", self.0.name())
+        format!("<tomolith.Job {}>", self.job.name())
     }
+}
+
+/// Tables as a document, and the folder of the arrays in them.
+fn document_of(tables: &Bound<'_, PyDict>, file: &Path) -> PyResult<(Document, Option<Py<PyAny>>)> {
+    let arrays = tables.py().import("tomolith._arrays")?;
+    let (tables, files): (Bound<'_, PyDict>, Option<Py<PyAny>>) =
+        arrays.call_method1("with_files", (tables,))?.extract()?;
+    let document = Document::tables(file, text_of(&tables)?).map_err(raised)?;
+    Ok((document, files))
 }
 
 /// Changes of keys, each as `--set` takes it.
@@ -184,14 +211,14 @@ fn text_of(tables: &Bound<'_, PyDict>) -> PyResult<String> {
     let json = py.import("json")?;
     let text = json.call_method("dumps", (tables,), Some(&options));
     text.map_err(|e| match not_finite(tables.as_any(), "") {
-        Some(found) => TomolithError::new_err(format!("{found}; accepted: a finite number")),
+        Some((key, found)) => refused(key, found, "a finite number"),
         None => TomolithError::new_err(format!("job: {}", e.value(py))),
     })?
     .extract()
 }
 
 /// The place of a number that is not finite, and the number.
-fn not_finite(value: &Bound<'_, PyAny>, place: &str) -> Option<String> {
+fn not_finite(value: &Bound<'_, PyAny>, place: &str) -> Option<(String, f64)> {
     if let Ok(table) = value.cast::<PyDict>() {
         let dot = if place.is_empty() { "" } else { "." };
         return table
@@ -206,7 +233,7 @@ fn not_finite(value: &Bound<'_, PyAny>, place: &str) -> Option<String> {
         .extract::<f64>()
         .ok()
         .filter(|number| !number.is_finite())?;
-    Some(format!("{place}: found {number}"))
+    Some((place.to_owned(), number))
 }
 
 #[pyfunction]
@@ -225,7 +252,7 @@ fn plain_value<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
 
 impl Job {
     fn replacing(&self, overwrite: bool) -> job::Job {
-        let job = self.0.clone();
+        let job = self.job.clone();
         if overwrite { job.overwriting() } else { job }
     }
 }

@@ -1,6 +1,6 @@
 //! `sweep`: a job with many values of its keys. `reproduce`: the numbers of a paper next to those of sweeps, jobs and commands.
 
-use crate::work::{Observer, TomolithError, interruptible_observed, plain};
+use crate::work::{Observer, advising, interruptible_observed, plain, refused};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::ffi::OsString;
@@ -28,7 +28,8 @@ pub(crate) fn sweep(
             sweep = sweep.with_folder(folder, "folder");
         }
         run(&sweep.plan(threads, work)?, None, progress, work)
-    })?;
+    })
+    .map_err(|e| advising(py, e, "the same call goes on with what is left"))?;
     Ok(plain(py, &outcome)?.unbind())
 }
 
@@ -59,7 +60,8 @@ pub(crate) fn reproduce(
         };
         let mut host = Told { observer, itself };
         tomolith_sweep::reproduce(&study, &folder, count, &mut host, work)
-    })?;
+    })
+    .map_err(|e| advising(py, e, "the same call goes on with what is left"))?;
     Ok(plain(py, &found)?.unbind())
 }
 
@@ -68,10 +70,7 @@ fn usable(threads: Option<usize>) -> PyResult<usize> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     match threads.unwrap_or_else(cores) {
         threads @ 1..=256 => Ok(threads),
-        threads => {
-            let text = format!("threads: found {threads}; accepted: 1 to 256");
-            Err(TomolithError::new_err(text))
-        }
+        threads => Err(refused("threads", threads, "1 to 256")),
     }
 }
 

@@ -2,10 +2,10 @@
 
 use crate::arrays::{
     IMAGES, VOXELS, arrays, must_be_finite, must_be_light, of_patterns, of_volume, one_or_list,
+    read_only,
 };
 use crate::resolved::printed;
-use crate::work::{TomolithError, interruptible, must_have_threads, raised};
-use numpy::PyArray3;
+use crate::work::{interruptible, must_have_threads, raised, refused};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -86,6 +86,7 @@ impl Task {
     #[getter]
     fn start<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.images(py, "start", self.task.start.as_slice())
+            .and_then(read_only)
     }
 
     /// Which pixels may be lit, as booleans in the shape of the patterns.
@@ -101,7 +102,7 @@ impl Task {
                 image.grid.shape(),
             )
         };
-        one_or_list(py, self.lights.iter().map(lit))
+        one_or_list(py, self.lights.iter().map(lit)).and_then(read_only)
     }
 
     /// What a pixel's value is: "energy" (areal dose over the exposure), or "amplitude", its square root, of models of coherent light.
@@ -124,6 +125,12 @@ impl Task {
     fn outputs(&self) -> Vec<String> {
         let outputs = self.task.model.outputs().iter();
         outputs.map(|output| output.species.clone()).collect()
+    }
+
+    /// At how many angles of a frame, during which the vial turns on, the dose is averaged: a number for each light.
+    #[getter]
+    fn sub_angles(&self) -> Vec<usize> {
+        self.task.sub_angles.clone()
     }
 
     /// Counts of voxels `(nz, ny, nx)`.
@@ -157,21 +164,21 @@ impl Task {
         }
         let images = |x: &[f32]| {
             let images = |light: &PatternLayout| of_patterns(py, light.patterns_of(x));
-            one_or_list(py, self.lights.iter().map(images))
+            one_or_list(py, self.lights.iter().map(images)).and_then(read_only)
         };
         Ok((images(&lower)?, images(&upper)?))
     }
 
     /// The share of each voxel that lies in the part, float32 `[z, y, x]`.
     #[getter]
-    fn target<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        of_volume(py, self.task.target.inside.clone())
+    fn target<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        read_only(of_volume(py, self.task.target.inside.clone())?.into_any())
     }
 
     /// 2 where a voxel is part, 1 void, 0 where it does not count, uint8 `[z, y, x]`.
     #[getter]
-    fn labels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        of_volume(py, self.task.labels.clone())
+    fn labels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        read_only(of_volume(py, self.task.labels.clone())?.into_any())
     }
 
     /// F(patterns), `[z, y, x]`. Negative values are allowed.
@@ -238,9 +245,7 @@ impl Task {
             Ok((loss + priced, gradient))
         })?;
         if !value.is_finite() {
-            return Err(TomolithError::new_err(format!(
-                "loss: found {value}; accepted: patterns whose loss is a number"
-            )));
+            return Err(refused("loss", value, "patterns whose loss is a number"));
         }
         Ok((value, self.images(py, "gradient", gradient.as_slice())?))
     }

@@ -1,8 +1,8 @@
 //! Long work of a call: it runs in a thread next to Python's, sends events to an observer, and ends at Ctrl-C or when its `cancel` is set.
 
 use crate::arrays::{of_patterns, of_volume, one_or_list};
-use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyTypeError};
+use pyo3::exceptions::PyTypeError;
+use pyo3::import_exception;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyModule};
 use serde::Serialize;
@@ -16,19 +16,8 @@ use tomolith::job::{Event, Progress, Snapshot, Wants};
 use tomolith::work::Work;
 use tomolith_sweep::{SweepEvent, Watch};
 
-create_exception!(
-    tomolith,
-    TomolithError,
-    PyException,
-    "What was found, where, and what is accepted."
-);
-
-create_exception!(
-    tomolith,
-    Canceled,
-    TomolithError,
-    "Work ended because its `cancel` was set. `Job.run(resume=True)` goes on from a run's checkpoint; a sweep goes on when it is called again."
-);
+import_exception!(tomolith._errors, TomolithError);
+import_exception!(tomolith._errors, Canceled);
 
 /// How often a call looks whether Python wants it to end.
 const PAUSE: Duration = Duration::from_millis(50);
@@ -122,12 +111,101 @@ fn must_go_on(py: Python<'_>, cancel: Option<&Py<PyAny>>) -> PyResult<()> {
 
 /// An error as Python sees it.
 pub(crate) fn raised(error: Error) -> PyErr {
-    match error {
-        Error::Canceled => Canceled::new_err(
-            "canceled; Job.run(resume=True) goes on from a run's checkpoint, sweep and reproduce go on when called again",
-        ),
-        error => TomolithError::new_err(error.to_string()),
+    Python::attach(|py| {
+        of_error(py, error)
+            .map(PyErr::from_value)
+            .unwrap_or_else(|e| e)
+    })
+}
+
+/// A call that was canceled, with how to go on; other errors stay as they are.
+pub(crate) fn advising(py: Python<'_>, error: PyErr, advice: &str) -> PyErr {
+    match error.is_instance_of::<Canceled>(py) {
+        true => Canceled::new_err(format!("canceled; {advice}")),
+        false => error,
     }
+}
+
+/// A value that cannot be used: of a key of a job, or of an argument.
+pub(crate) fn refused(
+    key: impl Into<String>,
+    found: impl std::fmt::Display,
+    accepted: impl Into<String>,
+) -> PyErr {
+    raised(Error::refused(key, found, accepted))
+}
+
+/// The exception with its attributes.
+fn of_error(py: Python<'_>, error: Error) -> PyResult<Bound<'_, PyAny>> {
+    let text = error.to_string();
+    let attributes = PyDict::new(py);
+    let set = |name: &str, value: &str| attributes.set_item(name, value);
+    match error {
+        Error::Canceled => {
+            return Ok(Canceled::new_err(text)
+                .into_value(py)
+                .into_bound(py)
+                .into_any());
+        }
+        Error::Several(errors) => {
+            let errors = errors.into_iter().map(|error| of_error(py, error));
+            let errors = errors.collect::<PyResult<Vec<_>>>()?;
+            if let Some(first) = errors.first() {
+                for name in ["key", "found", "accepted", "file", "line"] {
+                    attributes.set_item(name, first.getattr(name)?)?;
+                }
+            }
+            attributes.set_item("errors", errors)?;
+        }
+        Error::Config {
+            key,
+            found,
+            accepted,
+            place,
+            ..
+        } => {
+            if !key.is_empty() {
+                set("key", &key)?;
+            }
+            // The text says "found -1", the attribute what that is
+            set("found", found.strip_prefix("found ").unwrap_or(&found))?;
+            set("accepted", &accepted)?;
+            if let Some(place) = place {
+                attributes.set_item("file", place.file)?;
+                attributes.set_item("line", place.line)?;
+            }
+        }
+        Error::Shape {
+            what,
+            expected,
+            found,
+        } => {
+            set("key", &what)?;
+            set("found", &format!("shape {found:?}"))?;
+            set("accepted", &format!("shape {expected:?}"))?;
+        }
+        Error::Mesh {
+            path,
+            found,
+            accepted,
+        }
+        | Error::Format {
+            path,
+            found,
+            accepted,
+        } => {
+            attributes.set_item("file", path)?;
+            set("found", &found)?;
+            set("accepted", &accepted)?;
+        }
+        Error::Io { path, source } => {
+            attributes.set_item("file", path)?;
+            set("found", &source.to_string())?;
+        }
+        _ => {}
+    }
+    let kind = py.get_type::<TomolithError>();
+    kind.call((text,), Some(&attributes))
 }
 
 /// Anything that serializes, as dicts, lists, numbers and strings.
@@ -203,9 +281,11 @@ fn wants_of(names: &Bound<'_, PyAny>) -> PyResult<Wants> {
             "print" => wants.print = true,
             "target" => wants.target = true,
             other => {
-                return Err(TomolithError::new_err(format!(
-                    "wants: found `{other}`; accepted: \"patterns\", \"dose\", \"print\", \"target\" in a list"
-                )));
+                return Err(refused(
+                    "wants",
+                    format!("`{other}`"),
+                    "\"patterns\", \"dose\", \"print\", \"target\" in a list",
+                ));
             }
         }
     }

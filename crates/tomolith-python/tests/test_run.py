@@ -37,6 +37,84 @@ class Jobs(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "cancel: found <class 'int'>; accepted: a threading.Event"):
             tomolith.Job(GEAR).run(cancel=3)
 
+    def test_errors_give_their_parts(self):
+        def error_of(call):
+            with self.assertRaises(tomolith.TomolithError) as raised:
+                call()
+            error = raised.exception
+            return error, (error.key, error.found, error.accepted, error.file, error.line)
+
+        resin = {**GEAR["resin"], "refractive_index": -1}
+        error, (key, found, accepted, *place) = error_of(lambda: tomolith.Job({**GEAR, "resin": resin}))
+        self.assertEqual((key, found, place, error.errors), ("resin.refractive_index", "-1", [None, None], []))
+        # No file holds a dict, so no line is named
+        self.assertEqual(str(error), f"resin.refractive_index: found -1; accepted: {accepted}")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "gear.json"
+            file.write_text(json.dumps({**GEAR, "resin": resin}, indent=1))
+            error, (*_, named, line) = error_of(lambda: tomolith.Job(file))
+            self.assertEqual(named, file)
+            self.assertIn('"refractive_index": -1', file.read_text().splitlines()[line - 1])
+            self.assertIn(f"({file}, line {line})", str(error))
+            # A copy in another process has no lines of its own
+            job = pickle.loads(pickle.dumps(tomolith.Job(file, set=["resin.refractive_index=1.5", "vial.index_matched.radius_mm=0.1"])))
+            self.assertIsNone(error_of(job.check)[0].line)
+        error, parts = error_of(lambda: tomolith.Job({**GEAR, "resin": {**resin, "absorbtion": 1.0}}))
+        self.assertEqual({e.key for e in error.errors}, {"resin.refractive_index", "resin.absorbtion"})
+        first = error.errors[0]
+        self.assertEqual(parts, (first.key, first.found, first.accepted, None, None))
+        self.assertEqual(str(error), "\n".join(map(str, error.errors)))
+        copy = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(copy), copy.key, len(copy.errors)), (str(error), first.key, 2))
+        error, (key, *_, named, line) = error_of(lambda: tomolith.Job("nowhere.toml"))
+        self.assertEqual((key, named, line), (None, Path("nowhere.toml"), None))
+        error, parts = error_of(lambda: tomolith.sweep("nowhere.toml", threads=0))
+        self.assertEqual(parts, ("threads", "0", "1 to 256", None, None))
+
+    def test_a_target_may_be_an_array(self):
+        inside = np.zeros((8, 10, 12), bool)
+        inside[2:, 3:, 4:] = True
+        lengths = {"size_mm": 2.4, "height_mm": 1.6}
+        of_array = tomolith.Job({**GEAR, "target": {"stack": inside, **lengths}})
+        with tempfile.TemporaryDirectory() as folder:
+            np.save(Path(folder) / "inside.npy", inside)
+            of_file = tomolith.Job({**GEAR, "target": {"stack": Path(folder) / "inside.npy", **lengths}})
+            task = of_file.resolve().task()
+        target, (across, along) = task.target, task.voxel_mm
+        np.testing.assert_array_equal(of_array.resolve().task().target, target)
+        self.assertAlmostEqual(target.sum() * across**2 * along / (inside.sum() * 0.2**3), 1, delta=0.05)
+        low, high = target[:, :, : target.shape[2] // 3].sum(), target[:, :, -target.shape[2] // 3 :].sum()
+        self.assertLess(low, 0.5 * high)
+        pickled, file = pickle.dumps(of_array), Path(of_array.tables["target"]["stack"])
+        self.assertTrue(file.is_file())
+        same = pickle.loads(pickled)
+        del of_array
+        # Another job holds it
+        self.assertTrue(file.is_file())
+        np.testing.assert_array_equal(same.resolve().task().target, target)
+        del same
+        self.assertFalse(file.exists() or file.parent.exists())
+        np.testing.assert_array_equal(pickle.loads(pickled).resolve().task().target, target)
+        # The same array is the same job, another one is not
+        with tempfile.TemporaryDirectory() as folder:
+            job = lambda stack: tomolith.Job({**GEAR, "target": {"stack": stack, **lengths}}, folder=folder)
+            self.assertGreater(job(inside).run().metrics["iou"], 0.5)
+            job(inside.copy()).run(resume=True)
+            job(inside).run()
+            with self.assertRaisesRegex(tomolith.TomolithError, "finished run of another job: target.stack"):
+                job(~inside).run()
+        for stack, words in [
+            (inside[0], "target.stack: found an array of shape [10, 12] and type bool; accepted: an array [z, y, x]"),
+            (inside.astype(complex), "type complex128"),
+            (2.0 * inside, "a value of 2"),
+        ]:
+            with self.subTest(words), self.assertRaises(tomolith.TomolithError) as raised:
+                tomolith.Job({**GEAR, "target": {"stack": stack, **lengths}}).resolve()
+            self.assertIn(words, str(raised.exception))
+        with self.assertRaises(tomolith.TomolithError) as raised:
+            tomolith.Job({**GEAR, "target": {"stack": inside}}).resolve()
+        self.assertEqual([error.key for error in raised.exception.errors], ["target.size_mm", "target.height_mm"])
+
     def test_tables_may_hold_numbers_of_numpy_and_paths(self):
         light = {**GEAR["light"][0], "pixels": np.array([24, 16]), "angles": np.int64(36)}
         same = tomolith.Job({**GEAR, "light": [light], "output": {"folder": Path("out/x")}})
@@ -270,6 +348,13 @@ class Runs(unittest.TestCase):
             self.long().run(resume=True, progress=stop_at_once, cancel=cancel)
         # On from the last whole checkpoint: that of the iteration at hand where there was time to write it, else the one before
         self.assertGreaterEqual(iterations[0], 3)
+
+    def test_what_has_no_checkpoint_is_not_to_be_resumed(self):
+        cancel = threading.Event()
+        cancel.set()
+        with self.assertRaises(tomolith.Canceled) as raised:
+            self.long().run(cancel=cancel)
+        self.assertEqual(str(raised.exception), "canceled")
 
     def test_an_interrupt_ends_a_run(self):
         # Programs that were started in the background ignore interrupts

@@ -205,6 +205,22 @@ class Tasks(unittest.TestCase):
         self.assertGreater(self.task.target[-1].max(), 0)
         self.assertLess(self.task.shape[0] * along, self.job.shape[0] * pitch)
 
+    def test_the_angles_of_a_frame_are_known(self):
+        self.assertEqual(two_colors().task().sub_angles, [4, 4])
+        of_angles = lambda count: tomolith.Job(GEAR, set=[f"light.sub_angles={count}", "grid.refine=1"]).resolve()
+        turning, standing = of_angles(3).task(), of_angles(1).task()
+        self.assertEqual((turning.sub_angles, standing.sub_angles), ([3], [1]))
+        across, along = standing.voxel_mm
+        self.assertAlmostEqual(across, GEAR["grid"]["pitch_mm"])
+        self.assertAlmostEqual(along, GEAR["grid"]["pitch_mm"])
+        self.assertFalse(np.array_equal(turning.dose(turning.start), standing.dose(turning.start)))
+
+    def test_a_copy_cannot_be_taken_for_the_task(self):
+        for array in (self.task.start, self.task.lit, *self.task.bounds, self.task.target, self.task.labels, *two_colors().task().start):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array[0, 0, 0] = 1
+        self.task.start.copy()[0, 0, 0] = 1
+
     def test_every_species_is_evaluated(self):
         task = two_colors().task()
         print = task.evaluate(task.start)

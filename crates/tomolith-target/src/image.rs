@@ -43,12 +43,7 @@ impl GrayImage {
         height_mm: Option<f64>,
         placement: &Placement,
     ) -> Result<Self> {
-        let width = length(
-            "size_mm",
-            size_mm,
-            "the width of the image, or of the stack, in mm, > 0",
-        )?;
-        let height = length("height_mm", height_mm, "the height along z in mm, > 0")?;
+        let [width, height] = lengths(size_mm, height_mm)?;
         if placement.scale.is_some() {
             return Err(Error::config(
                 "scale",
@@ -116,6 +111,16 @@ impl GrayImage {
     fn size(&self) -> [usize; 2] {
         [self.slices[0].rows, self.slices[0].columns]
     }
+}
+
+/// Width and height of an image or a stack, mm, both of which it needs.
+pub(crate) fn lengths(size_mm: Option<f64>, height_mm: Option<f64>) -> Result<[f64; 2]> {
+    let width = "the width of the image, or of the stack, in mm, > 0";
+    let height = "the height along z in mm, > 0";
+    Ok([
+        length("size_mm", size_mm, width)?,
+        length("height_mm", height_mm, height)?,
+    ])
 }
 
 fn length(key: &str, value: Option<f64>, accepted: &str) -> Result<f64> {

@@ -3,6 +3,7 @@
 //! [`build`] is the only place where the table becomes a shape.
 
 use super::diagnosis::Repair;
+use super::image::lengths;
 use super::phantom::Phantom;
 use super::placing::Placement;
 use super::{Assembly, BodySpec, GrayImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
@@ -115,6 +116,17 @@ impl TargetSpec {
             .filter_map(|b| b.mesh.as_mut());
         let files = [&mut self.mesh, &mut self.image, &mut self.stack];
         files.into_iter().flatten().chain(bodies)
+    }
+
+    /// Refuses an image or a stack without its width or height.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key.
+    pub fn must_have_lengths(&self) -> Result<()> {
+        match self.image.is_some() || self.stack.is_some() {
+            true => lengths(self.size_mm.map(|mm| mm.0), self.height_mm.map(|mm| mm.0)).map(drop),
+            false => Ok(()),
+        }
     }
 
     fn placement(&self) -> Placement {

@@ -5,6 +5,8 @@ from typing import Any, Protocol, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._errors import Canceled as Canceled
+from ._errors import TomolithError as TomolithError
 from ._run import Run
 
 __all__ = ["Canceled", "Job", "ResolvedJob", "Task", "TomolithError", "__version__", "_command", "_forked", "reproduce", "sweep"]
@@ -28,9 +30,6 @@ class _Token(Protocol):
 
 _Progress = Callable[[dict[str, Any]], object] | _Observer | None
 __version__: str
-
-class TomolithError(Exception): ...
-class Canceled(TomolithError): ...
 
 @final
 class Job:
@@ -89,6 +88,8 @@ class Task:
     def is_linear(self) -> bool: ...
     @property
     def outputs(self) -> list[str]: ...
+    @property
+    def sub_angles(self) -> list[int]: ...
     @property
     def shape(self) -> tuple[int, int, int]: ...
     @property

@@ -158,7 +158,7 @@ class Run:
         if not (alone and alone["dose"] and alone["reported_percent"]):
             return None
         # What gels at s times the best exposure got 1/s of the dose
-        return float(alone["dose"]["best"]) / (alone["reported_percent"] / 100)
+        return float(alone["dose"]["best"]) / (float(alone["reported_percent"]) / 100)
 
     @cached_property
     def _grid(self) -> tuple[str, int, tuple[int, ...], list[float], list[float]]:

@@ -71,6 +71,9 @@ fn a_schedule_says_how_long_and_how_bright_the_light_is() {
     );
     let text = summary.to_string();
     assert!(text.contains("mJ sent to the vial"), "{text}");
+    // The job evaluates each frame at one angle
+    let row = "written, one angle a frame";
+    assert!(text.contains(row) && !text.contains("turning"), "{text}");
 }
 
 #[test]

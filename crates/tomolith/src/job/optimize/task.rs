@@ -29,6 +29,8 @@ pub struct Task {
     pub target: Target,
     /// Which of them are part, void, or do not count ([`label`](crate::target::label)).
     pub labels: Volume<u8>,
+    /// At how many angles of each frame the dose is averaged, for each light.
+    pub sub_angles: Vec<usize>,
 }
 
 impl ResolvedJob {
@@ -43,6 +45,7 @@ impl ResolvedJob {
         let stage = Stage::new(self, self.own_voxels(work)?, level, None, &mut Silent, work)?;
         let start = stage.start(self.method.start.as_ref(), work)?;
         Ok(Task {
+            sub_angles: level.lights.iter().map(|light| light.sub_angles).collect(),
             limits: stage.limits(&start),
             penalties: self.method.penalties(stage.model.patterns())?,
             objective: stage.objective(0)?,

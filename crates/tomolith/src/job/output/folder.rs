@@ -9,6 +9,7 @@
 use crate::error::{Error, Result};
 use crate::io::read_text;
 use crate::job::spec::file_names::{OUTPUTS, OUTPUTS_NAMED};
+use crate::optimize::checkpoint::CHECKPOINT as STATE;
 use crate::text::one_line;
 use serde::Deserialize;
 use serde_json::Value;
@@ -228,6 +229,12 @@ impl RunFolder {
     #[must_use]
     pub fn checkpoint(&self) -> PathBuf {
         Self::checkpoint_in(&self.path)
+    }
+
+    /// Whether a run folder holds a checkpoint, from which a run may go on.
+    #[must_use]
+    pub fn holds_a_checkpoint(path: &Path) -> bool {
+        Self::checkpoint_in(path).join(STATE).is_file()
     }
 
     /// Where those of a run folder are.

@@ -139,6 +139,9 @@ pub struct Summary {
     pub evaluation_pitch_mm: f64,
     /// How many times finer they are than the job's; 1 for the job's own.
     pub refine: usize,
+    /// At how many angles of each frame the patterns were evaluated; `report.json` has it with the evaluation.
+    #[serde(skip)]
+    pub sub_angles: usize,
     /// Seconds in all.
     pub seconds: f64,
 }
@@ -246,10 +249,14 @@ impl fmt::Display for Summary {
         if let Some(optimization) = &self.optimization {
             row(f, "unwritten, on the job's grid", optimization)?;
         }
-        row(f, "written, turning", &self.evaluation)?;
+        let written = match self.sub_angles {
+            1 => "written, one angle a frame",
+            _ => "written, turning",
+        };
+        row(f, written, &self.evaluation)?;
         for species in self.species.iter().skip(1) {
             heads(f, &format!("{}:", species.name), &species.evaluation)?;
-            row(f, "written, turning", &species.evaluation)?;
+            row(f, written, &species.evaluation)?;
         }
         let [x, y, z] = self.evaluation_voxels;
         let finer = match self.refine {
@@ -480,6 +487,7 @@ pub(crate) fn summary(
         required_iou: done.resolved.evaluation().require_iou,
         required_in_band: done.resolved.evaluation().require_in_band,
         evaluation_voxels: [2, 1, 0].map(|axis| first.evaluation.grid.shape[axis]),
+        sub_angles: first.evaluation.sub_angles,
         evaluation_pitch_mm: first.evaluation.grid.pitch_mm,
         refine: done.resolved.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),

@@ -84,7 +84,8 @@ fn read(document: &Document, models: &'static [ModelKind], base: &Path) -> Resul
         for s in 0..spec.species.len().max(1) {
             minimized(&spec.of_species(s), base)?;
         }
-        validate::tables(&spec)
+        validate::tables(&spec)?;
+        (spec.target.must_have_lengths()).map_err(|e| e.under("target"))
     };
     keys().map_err(|e| document.locate(e))
 }
@@ -310,6 +311,27 @@ mod tests {
             );
         }
         assert_eq!(found.len(), expected.len(), "{found:?}");
+    }
+
+    #[test]
+    fn both_lengths_of_an_image_are_told_at_once() {
+        let image = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../examples/images/rings.png"
+        );
+        let text = format!(
+            r#"
+            target = {{ image = '{image}' }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
+            vial = {{ index_matched = {{ radius_mm = 3.0 }} }}
+            light = [{{ pixels = [24, 16], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.2 }} }} }}]
+        "#
+        );
+        let keys = at_fault(&text).into_iter().map(|(key, _)| key);
+        assert_eq!(
+            keys.collect::<Vec<_>>(),
+            ["target.size_mm", "target.height_mm"]
+        );
     }
 
     #[test]

@@ -42,6 +42,8 @@ pub struct Document {
     pub text: String,
     /// All values, overrides included.
     pub root: Value,
+    /// Whether people can look up a line of the text.
+    is_file: bool,
     places: BTreeMap<String, Range<usize>>,
     /// Key path → the option of the command line that set it, as it was typed.
     overrides: BTreeMap<String, String>,
@@ -186,6 +188,23 @@ impl Document {
         Ok(document)
     }
 
+    /// Tables that a program made, as JSON. Messages name keys and no line, since no file holds the text; `file` says what the job is called, and
+    /// where its paths begin.
+    ///
+    /// # Errors
+    /// As [`json`](Self::json), without a place.
+    pub fn tables(file: impl Into<PathBuf>, text: impl Into<String>) -> Result<Self> {
+        let mut document = Document::json(file, text).map_err(|mut error| {
+            if let Error::Config { place, .. } = &mut error {
+                *place = None;
+            }
+            error
+        })?;
+        document.places.clear();
+        document.is_file = false;
+        Ok(document)
+    }
+
     /// Sets one key, as `--set` does: `stop.iterations=10`, `light[0].angles=360`, `output.folder=out/b`.
     ///
     /// The value is read as TOML, and as a plain string when it is none. A list with one element needs no index. A kind of
@@ -313,7 +332,7 @@ impl Document {
                 break;
             }
             if path.is_empty() {
-                *place = Some(self.place(0..0));
+                *place = self.is_file.then(|| self.place(0..0));
                 break;
             }
             path = parent(path);
@@ -346,6 +365,7 @@ impl Document {
             file,
             text,
             root: Value::Null,
+            is_file: true,
             places: BTreeMap::new(),
             overrides: BTreeMap::new(),
         }
@@ -571,6 +591,21 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(text.ends_with("(a.json, line 2)"), "{text}");
+    }
+
+    #[test]
+    fn tables_without_a_file_have_no_lines() {
+        let mut tables = Document::tables("a.json", "{\"grid\": {\"pitch_mm\": 1.0}}").unwrap();
+        let message =
+            |of: &Document, key: &str| of.locate(Error::config(key, "found x", "y")).to_string();
+        for key in ["grid.pitch_mm", "vial", ""] {
+            let located = message(&tables, key);
+            assert!(!located.contains("a.json"), "{located}");
+        }
+        tables.set("grid.pitch_mm=2.0").unwrap();
+        assert!(message(&tables, "grid.pitch_mm").contains("(from --set grid.pitch_mm=2.0)"));
+        let refused = Document::tables("a.json", "{\"a\": 1, \"a\": 2}").unwrap_err();
+        assert!(!refused.to_string().contains("line"), "{refused}");
     }
 
     #[test]
