@@ -241,6 +241,13 @@ impl Measurements {
         if let Some(i) = of_light.filter(comes_first) {
             causes[..=i].rotate_right(1);
         }
+        // Light is moved for nothing, and what iterations or finer pixels bring of the rest is not known
+        let of_rows = causes.iter().position(|limit| limit.cause == Cause::Ends);
+        let is_of_rest = |limit: &Limit| matches!(limit.cause, Cause::Iterations | Cause::Optics);
+        let is_free = self.light_up().is_some() && self.lacking().is_none();
+        if let Some(i) = of_rows.filter(|&i| is_free && causes[..i].iter().all(is_of_rest)) {
+            causes[..=i].rotate_right(1);
+        }
         PrintLimits {
             sentence: self.sentence(&causes).unwrap_or_default(),
             causes,
@@ -397,7 +404,11 @@ impl Measurements {
     fn row_ends(&self) -> Option<Limit> {
         let ends = self.ends.as_ref();
         let ends = ends.filter(|_| self.kind.better != Better::Lower)?;
-        let loss = ends.share;
+        let loss = match (ends.ends, self.loss(Some(self.perfect()), self.at_best())) {
+            // Of other parts than prisms it is an estimate
+            (None, Some(lost)) => ends.share.min(lost),
+            _ => ends.share,
+        };
         if loss < WORTH_CHANGING {
             return None;
         }
