@@ -103,8 +103,8 @@ fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
     let model = ["13-scattering", "successive_orders (parallel (on "];
     // Cells as large as they may be: software takes long for small ones
     let five = "--set stop.iterations=5 --set model.successive_orders.cell_mm=1.9";
-    // How far doses in the part are spread: 0.07
-    prints_alike(&Bench::with(&[]), model, five, "cv", 1e-5);
+    // How far doses in the part are spread: 0.07. Iterations carry on what registers round: with AVX-512 the processor differs by 4e-5, with AVX2 by 6e-8
+    prints_alike(&Bench::with(&[]), model, five, "cv", 2e-4);
 }
 
 #[test]
