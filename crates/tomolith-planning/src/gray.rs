@@ -179,8 +179,8 @@ impl GrayCurve {
     /// The curve through a table of gray values (0 … top) and irradiances.
     ///
     /// # Errors
-    /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or does not rise as a whole, when the form is or does so between 0 and top,
-    /// with the range that is usable; when white was not measured.
+    /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or falls by more than a twentieth of white, when the form is negative or falls between 0 and
+    /// top, with the range that is usable; when white was not measured.
     pub fn new(table: &Curve, top: f64, form: CurveForm) -> Result<Self> {
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
         let level = table.monotone();
@@ -311,9 +311,23 @@ fn points(table: &Curve) -> Result<Table> {
     Table::new(&column(0), &column(1), Beyond::Flat)
 }
 
-/// Refuses a table that is negative, or whose nearest curve that never falls does not rise.
+/// Largest fall from one reading to the next that may be noise, as a part of white.
+const NOISE: f64 = 0.05;
+
+/// Where readings fall most from one gray value to the next: the second of both, and by which part of white; None where they never do.
+fn worst_fall(table: &Curve, level: &Curve) -> Option<(usize, f64)> {
+    let y = &table.responses;
+    let white = level.responses[y.len() - 1];
+    let falls = (1..y.len()).map(|i| (i, (y[i - 1] - y[i]) / white));
+    falls
+        .filter(|(_, fall)| *fall > 0.0)
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Refuses a table that is negative, that falls by more than noise, or that does not rise.
 fn check_points(table: &Curve, level: &Curve) -> Result<()> {
     let (x, y) = (&table.doses, &table.responses);
+    let worst = worst_fall(table, level).filter(|(_, fall)| *fall > NOISE);
     let found = if let Some(i) = y.iter().position(|v| *v < 0.0) {
         format!(
             "a negative irradiance, {} at gray {}",
@@ -322,11 +336,13 @@ fn check_points(table: &Curve, level: &Curve) -> Result<()> {
         )
     } else if y.iter().all(|v| *v == y[0]) {
         "the same irradiance everywhere".to_owned()
-    } else if level.responses[0] == level.responses[x.len() - 1] {
+    } else if let Some((i, _)) = worst {
         format!(
-            "irradiances from {} to {}, which as a whole do not rise",
-            concise(y[0]),
-            concise(y[x.len() - 1])
+            "the irradiance falls from {} to {} between gray {} and {}",
+            concise(y[i - 1]),
+            concise(y[i]),
+            concise(x[i - 1]),
+            concise(x[i])
         )
     } else {
         return Ok(());
@@ -337,14 +353,8 @@ fn check_points(table: &Curve, level: &Curve) -> Result<()> {
 /// Where readings fall from one gray value to the next, and by how much; None where they never do.
 fn falls(table: &Curve, level: &Curve) -> Option<String> {
     let (x, y) = (&table.doses, &table.responses);
-    let fall = |i: usize| y[i - 1] - y[i];
-    let places: Vec<usize> = (1..y.len()).filter(|&i| fall(i) > 0.0).collect();
-    let worst = places
-        .iter()
-        .copied()
-        .max_by(|&a, &b| fall(a).total_cmp(&fall(b)))?;
-    let white = level.responses[y.len() - 1];
-    let most = match places.len() {
+    let (worst, share) = worst_fall(table, level)?;
+    let most = match (1..y.len()).filter(|&i| y[i] < y[i - 1]).count() {
         1 => String::new(),
         count => format!(", the largest of {count} falls"),
     };
@@ -355,7 +365,7 @@ fn falls(table: &Curve, level: &Curve) -> Option<String> {
         concise(y[worst]),
         concise(x[worst - 1]),
         concise(x[worst]),
-        significant(100.0 * fall(worst) / white, 2)
+        significant(100.0 * share, 2)
     ))
 }
 
