@@ -60,11 +60,11 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "$ calibrate gray {visible} --form quadratic
         gray-visible.csv … usable from gray 86.15 to 239.06 … monotone
         $ calibrate gray falls.csv
-        from 3 to 1, which as a whole do not rise … usable from gray 0.00 to 128.00
+        falls from 4 to 1 between gray 128 and 255 … usable from gray 0.00 to 128.00
         $ calibrate gray negative.csv
         a negative irradiance … from gray 128.00 to 255.00
         $ calibrate gray low.csv
-        from 3 to 2, which as a whole do not rise
+        falls from 3 to 2 between gray 10 and 30
         $ calibrate gray below.csv
         gray values from -20 to 255
         $ calibrate gray one.csv
