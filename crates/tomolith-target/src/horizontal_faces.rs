@@ -55,7 +55,9 @@ impl HorizontalFaces {
         let voxel_mm2 = grid.pitch_mm.powi(2);
         let bottom = grid.z(0) - grid.height_mm / 2.0;
         let height = |i: usize| bottom + i as f64 / HEIGHTS as f64 * grid.height_mm;
-        let filled: f64 = inside.values.iter().map(|&share| f64::from(share)).sum();
+        let sum = |slice: &[f32]| slice.iter().map(|&share| f64::from(share)).sum::<f64>();
+        let slices = inside.values.chunks(grid.shape[1] * grid.shape[2]);
+        let filled: f64 = slices.par_map(sum).into_iter().sum();
         HorizontalFaces {
             volume_mm3: filled * voxel_mm2 * grid.height_mm,
             areas: (flat(&areas).into_iter().enumerate())

@@ -149,7 +149,11 @@ impl Asked<'_> {
         }
         match shape.upright_mm() {
             Some(part_mm) => RowEnds::of_prism(part_mm, lights),
-            None => RowEnds::of(&HorizontalFaces::of(&print.fine.target.inside), lights),
+            None => {
+                let part_mm = shape.bounds_mm().map(|corner| corner[2]);
+                let faces = HorizontalFaces::of(&print.fine.target.inside);
+                RowEnds::of(&faces, part_mm, lights)
+            }
         }
     }
 

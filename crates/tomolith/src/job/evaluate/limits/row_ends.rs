@@ -31,7 +31,7 @@ impl RowEnds {
             volume_mm3: part_mm[1] - part_mm[0],
             areas: part_mm.map(|z| (z, 1.0)).to_vec(),
         };
-        let mut worst = Self::of(&faces, lights)?;
+        let mut worst = Self::of(&faces, part_mm, lights)?;
         let limiting = lights.iter().find(|acting| acting.index == worst.light.0)?;
         let rows = Rows::of(&limiting.light.pixels);
         // In the middle of a row light goes on to its end: beyond the part
@@ -41,14 +41,18 @@ impl RowEnds {
         Some(worst)
     }
 
-    /// Those of the light between whose rows most of the part lies.
-    pub(crate) fn of(faces: &HorizontalFaces, lights: &[Acting<'_>]) -> Option<Self> {
+    /// Those of a part between two heights, mm, and of the light between whose rows most of it lies.
+    pub(crate) fn of(
+        faces: &HorizontalFaces,
+        part_mm: [f64; 2],
+        lights: &[Acting<'_>],
+    ) -> Option<Self> {
         let of_light = |acting: &Acting<'_>| {
             let rows = Rows::of(&acting.light.pixels);
             let share = |moved| rows.moved(moved).between(&faces.areas) / faces.volume_mm3;
             let moves = (-STEPS / 2..=STEPS / 2).map(|i| f64::from(i) / f64::from(STEPS));
             let moves = moves.map(|rows_up| rows_up * rows.pitch);
-            let moves = moves.filter(|&moved| moved == 0.0 || rows.moved(moved).hold(faces));
+            let moves = moves.filter(|&moved| moved == 0.0 || rows.moved(moved).hold(part_mm));
             let tried = moves.map(|moved| (moved, share(moved)));
             // Of moves that are as good, the shortest
             let order = |a: &(f64, f64), b: &(f64, f64)| {
@@ -121,11 +125,9 @@ impl Rows {
         self.top - rows_above * self.pitch
     }
 
-    /// Whether all faces lie within the light.
-    fn hold(&self, faces: &HorizontalFaces) -> bool {
-        let ends = [faces.areas.first(), faces.areas.last()];
-        let is_lit = |z: f64| self.bottom - 1e-9 <= z && z <= self.top + 1e-9;
-        ends.into_iter().flatten().all(|(z, _)| is_lit(*z))
+    /// Whether the whole part lies within the light.
+    fn hold(&self, part_mm: [f64; 2]) -> bool {
+        self.bottom - 1e-9 <= part_mm[0] && part_mm[1] <= self.top + 1e-9
     }
 
     /// Volume between faces and the nearest edges.

@@ -324,23 +324,23 @@ fn horizontal_faces_inside_rows_limit_any_part_and_the_light_should_move() {
         volume_mm3: 2.0,
         areas: vec![(0.17, 3.0), (0.37, 3.0)],
     };
-    let ends = RowEnds::of(&faces, &[acting(0, None, &light)]).unwrap();
-    assert!((ends.share - 0.09).abs() < 1e-12, "{ends:?}");
-    let moved = ends.worthy_move().unwrap();
+    let ends_of = |part_mm| RowEnds::of(&faces, part_mm, &[acting(0, None, &light)]).unwrap();
+    let found = ends_of([-0.4, 0.4]);
+    assert!((found.share - 0.09).abs() < 1e-12, "{found:?}");
+    let moved = found.worthy_move().unwrap();
     assert!(
-        (moved + 0.03).abs() < 0.1 / 64.0 && ends.best_move.1 < 0.003,
-        "{ends:?}"
+        (moved + 0.03).abs() < 0.1 / 64.0 && found.best_move.1 < 0.003,
+        "{found:?}"
     );
+    // Not where its tip would leave the light
+    assert_eq!(ends_of([-0.4, 0.49]).worthy_move(), None);
     let limits = Measurements {
         saw_finer: true,
         own_turning: None,
-        ends: Some(ends),
+        ends: Some(found),
         ..measured([0.995, 0.995, 0.995, 0.9])
-    };
-    ends_with_move(&limits.limits());
-}
-
-fn ends_with_move(limits: &PrintLimits) {
+    }
+    .limits();
     begins(
         &limits.causes[0].advice,
         "Horizontal faces of the part lie inside rows of pixels, but light ends with a row. 9 % of the part's volume lies between, ",
