@@ -117,7 +117,7 @@ const CAUSES: Record<string, string> = {
   turning: "Turning during a frame",
   optics: "Pixels and frames",
   iterations: "Iterations",
-  ends: "Flat ends of the part",
+  ends: "Flat faces of the part",
   exposure: "Exposure",
   time: "The brightest pixel",
 };

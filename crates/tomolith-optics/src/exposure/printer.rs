@@ -28,7 +28,7 @@
 //!
 //! # Example
 //! A device of 6 × 4 pixels mounted on its side, driven by a gamma of about 2: the pattern's right end is up, and half of
-//! the light needs 0.71 of the level.
+//! the light needs 0.72 of the level.
 //! ```
 //! use tomolith_optics::exposure::{Printer, PrinterSpec, Rotation};
 //! use tomolith_core::grid::{PatternGrid, Patterns};
@@ -40,7 +40,8 @@
 //! let patterns = Patterns { grid, values: vec![0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 2.0] };
 //! let frames = printer.expose(&patterns, 8).unwrap();
 //! assert_eq!(frames.full_scale, 4.0);
-//! assert_eq!(frames.values[..6], [0, 0, 255, 170, 0, 0]); // between 0.25 at 127.5 and 1 at 255: a third is 0.5
+//! // Above 0.5 the cubic is 0.25 + 0.375 t + 0.5 t² − 0.125 t³: half of the light at t = 0.438, the value 0.719
+//! assert_eq!(frames.values[..6], [0, 0, 255, 183, 0, 0]);
 //! let light = printer.light_of(&frames).unwrap();
 //! assert!((light.values[3] - 4.0).abs() < 1e-6 && (light.values[7] - 2.0).abs() < 0.02);
 //! ```
