@@ -4,8 +4,8 @@
 //! Per network, in each block of time: the drive of the lights → bleaching of the initiator → inhibitors, one after the other → dose, or conversion by a
 //! rate law. Inhibitors (and the dose, with `dose_diffusion_mm2_per_s`) diffuse. Equations, units and sources: `docs/material.md`; Wang et al. 2022, Note 4 and Fig. S12.
 //!
-//! # Parameters
-//! See [`Params`]. **Limits** Heat, shrinkage and sedimentation are not modeled. An antagonist
+//! # Limits
+//! Heat, shrinkage and sedimentation are not modeled. An antagonist
 //! (negative drive) makes inhibitor, of the network's first; without one it does nothing.
 //!
 //! # Cost

@@ -10,11 +10,6 @@
 //! patterns, counted from the lowest, lights slice i alone, all by the same matrix; there must then be as many rows as
 //! slices.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `file` | – | – | – | `.npz` of `scipy.sparse.save_npz`, CSR; relative to the job file |
-//!
 //! # Limits
 //! Fewer than 2³² pixels and lanes of dose. What pixels and voxels *are* is the job's word: the file holds numbers only.
 //! The evaluation cannot refine the grid, nor turn the vial within a frame.

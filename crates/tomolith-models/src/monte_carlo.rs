@@ -18,9 +18,6 @@
 //! # Source
 //! Nicolet et al. 2024, § 4.2 (path sampling, expected absorption along segments).
 //!
-//! # Parameters
-//! See [`Params`].
-//!
 //! # Limits
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
 //! paths and cells half as large, so that a pattern that fits its own noise, or what cells smooth away, shows.

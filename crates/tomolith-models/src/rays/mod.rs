@@ -17,9 +17,6 @@
 //! # Source
 //! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `traversal.rs`.
 //!
-//! # Parameters
-//! See [`Params`].
-//!
 //! # Limits
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
 //!

@@ -18,9 +18,6 @@
 //! docs/scattering.md, eqs. 1 and 2; Chandrasekhar, *Radiative Transfer* (1950), ch. I; forward lobes: Wiscombe, J. Atmos. Sci. 34
 //! (1977) 1408.
 //!
-//! # Parameters
-//! See [`Params`].
-//!
 //! # Limits
 //! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
 //! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against Monte Carlo paths: docs/validation.md.

@@ -13,9 +13,6 @@
 //! # Source
 //! Geometrical optics; the transform of a disc: Goodman, *Introduction to Fourier Optics*, eq. 2-35.
 //!
-//! # Parameters
-//! See [`Params`].
-//!
 //! # Limits
 //! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. Pixels
 //! have soft edges (`cones`): next to a sharp edge light overshoots by 0.6 %, also below 0.

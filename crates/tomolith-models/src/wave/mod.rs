@@ -16,9 +16,6 @@
 //! Wechsler et al. 2024, eqs. 2 to 4 and Algorithms 2 and 3; Matsushima & Shimobaba 2009 (band limit). What is saved against the published
 //! algorithm, with its errors: docs/wave.md and docs/validation.md.
 //!
-//! # Parameters
-//! See [`Params`].
-//!
 //! # Shapes
 //! Patterns and dose as everywhere. Rows of pixels must be voxels apart, or a whole multiple or fraction of it.
 //!

@@ -3,9 +3,6 @@
 //! # Equation
 //! Density ½(1 − g²)/(1 + g² − 2gc)^(3/2); drawn as c = (1 + g² − ((1 − g²)/(1 − g + 2gξ))²)/(2g), or 2ξ − 1 at g = 0.
 //!
-//! # Parameters
-//! See [`HenyeyGreenstein`].
-//!
 //! # Source
 //! Henyey & Greenstein, Astrophys. J. 93, 70 (1941).
 

@@ -1,7 +1,4 @@
 //! Several phase functions at once, each with its share.
-//!
-//! # Parameters
-//! See [`Params`].
 
 use super::{BuildPhase, PHASES, Phase};
 use crate::random::Stream;

@@ -3,13 +3,6 @@
 //! # Model
 //! Values at given angles (degrees, growing from 0 to 180), linear in the cosine between them, scaled to an integral of 1.
 //! With `normalized = true` the values are densities per unit of solid angle that must integrate to 1 within 1 %: a check.
-//!
-//! # Parameters
-//! | key | range | default | meaning |
-//! |---|---|---|---|
-//! | `angles_deg` | 0 … 180, growing | – | angles of scattering; first 0, last 180 |
-//! | `values` | ≥ 0, not all 0 | – | one per angle |
-//! | `normalized` | bool | false | whether the values must integrate to 1 over the sphere |
 
 use super::{BuildPhase, Phase};
 use crate::random::Stream;

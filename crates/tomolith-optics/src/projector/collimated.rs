@@ -2,9 +2,6 @@
 //!
 //! # Model
 //! The ray of the image point (u, z) is y = u, at height z, along −x. It has no aperture: the light of a point is one ray.
-//!
-//! # Parameters
-//! See [`Params`].
 
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;

@@ -3,9 +3,6 @@
 //! # Model
 //! All rays start at x = `distance_mm` on the optical axis; the ray of (u, z) passes that point of the plane through the
 //! rotation axis, where pixels have their pitch. (A [`lens`](super::lens) without aperture.)
-//!
-//! # Parameters
-//! See [`Params`].
 
 use super::lens::Lens;
 use super::{BuildProjector, Projector, Ray, pixel_pitch};

@@ -4,9 +4,6 @@
 //! The lens is a disc of radius `aperture_radius_mm` at x = `distance_mm`. All its points light an image point equally;
 //! the image lies `focus_distance_mm` behind the lens, where pixels have their pitch. `distance_mm` ≠ `focus_distance_mm`
 //! puts the image beside the rotation axis.
-//!
-//! # Parameters
-//! See [`Params`].
 
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;

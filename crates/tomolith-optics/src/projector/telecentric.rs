@@ -5,9 +5,6 @@
 //! `aperture_radius_mm` at the distance `working_distance_mm` in front of it, so that sin of the cone's half angle is
 //! about aperture/distance; the disc moves along with the point, so pixels have the same pitch everywhere. All points of
 //! the disc give the same power.
-//!
-//! # Parameters
-//! See [`Params`].
 
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;

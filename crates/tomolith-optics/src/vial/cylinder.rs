@@ -6,13 +6,6 @@
 //! b = u·n_s/n_r. Light is therefore tangent only up to n_s·R_o/n_r; beyond, a point is lit by up to two rays of one
 //! frame.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `inner_radius_mm` | mm | (0, outer) | – | radius of the resin |
-//! | `outer_radius_mm` | mm | > inner | – | outer radius of the glass |
-//! | `refractive_index` | – | 1 to 4 | – | of the glass |
-//!
 //! # Source
 //! Nicolet et al. 2024 (ray-traced vials); Born & Wolf §3.2 for Bouguer's formula.
 //!

@@ -5,17 +5,6 @@
 //! water or an index-matched fluid). A ray that crosses the inner tube lights the resin twice, before and after it; one
 //! that is totally reflected there is lost behind it.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `outer_radius_mm` | mm | > 0 | – | outer radius of the outer tube |
-//! | `resin_outer_radius_mm` | mm | < the above | – | inner radius of the outer tube |
-//! | `resin_inner_radius_mm` | mm | < the above | – | outer radius of the inner tube |
-//! | `inner_radius_mm` | mm | < the above | – | inner radius of the inner tube |
-//! | `outer_refractive_index` | – | 1 to 4 | – | of the outer tube |
-//! | `inner_refractive_index` | – | 1 to 4 | – | of the inner tube |
-//! | `core_refractive_index` | – | 1 to 4 | 1.0 | of what is inside the inner tube |
-//!
 //! # Source
 //! The set-up of Nicolet et al. 2024 (double cylindrical vial).
 //!

@@ -5,13 +5,6 @@
 //! their material, or, where it is 0, a surface that the resin shares with the surroundings. What stands in the resin, the inner tube of
 //! a double tube and its core, ends where the resin does: on the plate, or with it at the free surface.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `vial.bottom.z_mm` | mm | below the top | – | where the resin ends below |
-//! | `vial.bottom.thickness_mm` | mm | ≥ 0 | 0 | of the plate under it |
-//! | `vial.top.z_mm`, `vial.top.thickness_mm` | mm | | | the same above |
-//!
 //! # Limits
 //! A free surface is flat (no meniscus), and the glass ends where the resin does. The plates of a double tube are of its outer glass, and
 //! close the inner tube too.

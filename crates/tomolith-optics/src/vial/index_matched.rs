@@ -4,11 +4,6 @@
 //! A cylinder of resin of radius `radius_mm` whose wall and surroundings have the resin's refractive index. Rays stay
 //! straight; only the resin absorbs.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `radius_mm` | mm | > 0 | – | radius of the resin |
-//!
 //! # Limits
 //! The bath does not absorb. `vial.surrounding_index` has no effect.
 //!

@@ -5,14 +5,6 @@
 //! walls want fine ones (a facet of width w on a wall of radius R turns its normal by up to w/2R). Files are in
 //! millimeters times `scale`, in the frame of the vial: z is its axis.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `outer` | – | a mesh file | – | outer wall |
-//! | `inner` | – | a mesh file | – | wall of the resin, within the outer one |
-//! | `refractive_index` | – | 1 to 4 | – | of the glass |
-//! | `scale` | – | > 0 | 1 | millimeters per unit of the files |
-//!
 //! # Limits
 //! Walls do not cross, and are closed but for their lower and upper ends: a wall that ends there in one level ring goes on along the axis
 //! as far as light reaches. Other gaps are refused, and so is an inner wall with a vertex outside of the outer one. Light enters

@@ -4,13 +4,6 @@
 //! Two concentric squares, faces normal to x and y of the resin frame. Each lit face bends its part of a frame into one
 //! straight parallel bundle; near an edge a ray may enter through one face and reach the resin through the next.
 //!
-//! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `inner_width_mm` | mm | (0, outer) | – | full width of the resin |
-//! | `outer_width_mm` | mm | > inner | – | full outer width |
-//! | `refractive_index` | – | 1 to 4 | – | of the wall |
-//!
 //! # Source
 //! Nicolet et al. 2024 (square cuvette, 10.07 / 12.43 mm).
 //!
