@@ -195,14 +195,71 @@ fn scalar(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
     }
 }
 
-/// Calls `$f::<N>` with N = `$n`, for 1 ≤ n ≤ 16.
+/// Calls `$f::<N>` with N = `$n`, one of `$k`.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 macro_rules! with_count {
     ($n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
-        match $n { $($k => call!($f, $k, $args),)* _ => {} }
+        match $n { $($k => with_count!(! $f, $k, $args),)* _ => {} }
     };
+    (! $f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
 }
-macro_rules! call {
-    ($f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
+#[cfg(target_arch = "x86_64")]
+pub(super) use with_count;
+
+/// A path in registers of `$width` floats; of a block `$held` vectors are held at a time, as many as the last `$k`.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! path {
+    ($features:literal, $register:ident, $width:literal, $held:literal, [$($k:literal)*],
+     $load:ident, $store:ident, $splat:ident, $add:expr, $path:ident, $piece:ident) => {
+        /// # Safety
+        /// The features; slots inside `source`, the block inside rows and `out`.
+        #[target_feature(enable = $features)]
+        pub(super) unsafe fn $path(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
+            let Block { row, first, count } = block;
+            for begin in (0..count).step_by($held) {
+                let n = (count - begin).min($held);
+                // SAFETY: bounds are the caller's promise.
+                unsafe {
+                    let base = source.as_ptr().add((first + begin) * LANES);
+                    let to = out.as_mut_ptr().add(begin * LANES);
+                    with_count!(n, $piece, (to, base, row * LANES, entries), [$($k)*]);
+                }
+            }
+        }
+
+        /// # Safety
+        /// As for all pieces together.
+        #[target_feature(enable = $features)]
+        #[inline]
+        unsafe fn $piece<const N: usize>(
+            to: *mut f32,
+            base: *const f32,
+            stride: usize,
+            entries: Entries,
+        ) {
+            let place = |v: usize, i: usize| v * LANES + i * $width;
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let mut sums: [[$register; LANES / $width]; N] = std::array::from_fn(|v| {
+                    std::array::from_fn(|i| $load(to.add(place(v, i))))
+                });
+                for (slot, weight) in entries.iter() {
+                    let weight = $splat(weight);
+                    let from = base.add(slot * stride);
+                    for (v, sums) in sums.iter_mut().enumerate() {
+                        for (i, sum) in sums.iter_mut().enumerate() {
+                            *sum = $add(weight, $load(from.add(place(v, i))), *sum);
+                        }
+                    }
+                }
+                for (v, sums) in sums.iter().enumerate() {
+                    for (i, sum) in sums.iter().enumerate() {
+                        $store(to.add(place(v, i)), *sum);
+                    }
+                }
+            }
+        }
+    };
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -216,61 +273,15 @@ mod x86 {
         super::highest(slots)
     }
 
-    /// # Safety
-    /// AVX-512F; slots inside `source`, the block inside rows and `out`.
-    #[target_feature(enable = "avx512f")]
-    pub(super) unsafe fn avx512(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
-        let Block { row, first, count } = block;
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let base = source.as_ptr().add(first * LANES);
-            let to = out.as_mut_ptr();
-            with_count!(count, wide, (to, base, row * LANES, entries), [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16]);
-        }
-    }
-
-    /// # Safety
-    /// As [`avx512`].
-    #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn wide<const N: usize>(
-        to: *mut f32,
-        base: *const f32,
-        stride: usize,
-        entries: Entries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-            for (slot, weight) in entries.iter() {
-                let weight = _mm512_set1_ps(weight);
-                let from = base.add(slot * stride);
-                for (v, sum) in sums.iter_mut().enumerate() {
-                    *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);
-                }
-            }
-            for (v, sum) in sums.iter().enumerate() {
-                _mm512_storeu_ps(to.add(v * 16), *sum);
-            }
-        }
-    }
-
-    /// # Safety
-    /// AVX2 and FMA; slots inside `source`, the block inside rows and `out`.
-    #[target_feature(enable = "avx2,fma")]
-    pub(super) unsafe fn avx2(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
-        let Block { row, first, count } = block;
-        // Six vectors of 16 lanes fill twelve of the sixteen registers
-        for begin in (0..count).step_by(6) {
-            let n = (count - begin).min(6);
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = source.as_ptr().add((first + begin) * LANES);
-                let to = out.as_mut_ptr().add(begin * LANES);
-                with_count!(n, half, (to, base, row * LANES, entries), [1 2 3 4 5 6]);
-            }
-        }
-    }
+    path!(
+        "avx512f", __m512, 16, 16, [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16],
+        _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_fmadd_ps, avx512, wide
+    );
+    // Six vectors of 16 lanes fill twelve of the sixteen registers
+    path!(
+        "avx2,fma", __m256, 8, 6, [1 2 3 4 5 6],
+        _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_fmadd_ps, avx2, half
+    );
 
     /// See [`add_looked_up`](super::add_looked_up).
     #[target_feature(enable = "avx2")]
@@ -308,40 +319,6 @@ mod x86 {
             *out += weight * source[*first as usize + tap];
         }
     }
-
-    /// # Safety
-    /// As [`avx2`].
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    unsafe fn half<const N: usize>(
-        to: *mut f32,
-        base: *const f32,
-        stride: usize,
-        entries: Entries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let mut sums: [[__m256; 2]; N] =
-                std::array::from_fn(|v| [0, 8].map(|i| _mm256_loadu_ps(to.add(v * 16 + i))));
-            for (slot, weight) in entries.iter() {
-                let weight = _mm256_set1_ps(weight);
-                let from = base.add(slot * stride);
-                for (v, sum) in sums.iter_mut().enumerate() {
-                    for (i, sum) in sum.iter_mut().enumerate() {
-                        *sum = _mm256_fmadd_ps(
-                            weight,
-                            _mm256_loadu_ps(from.add(v * 16 + i * 8)),
-                            *sum,
-                        );
-                    }
-                }
-            }
-            for (v, sum) in sums.iter().enumerate() {
-                _mm256_storeu_ps(to.add(v * 16), sum[0]);
-                _mm256_storeu_ps(to.add(v * 16 + 8), sum[1]);
-            }
-        }
-    }
 }
 
 #[cfg(target_arch = "aarch64")]
@@ -349,50 +326,11 @@ mod arm {
     use super::{Block, Entries, LANES};
     use std::arch::aarch64::*;
 
-    /// # Safety
-    /// Slots inside `source`, the block inside rows and `out`.
-    pub(super) unsafe fn neon(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
-        let Block { row, first, count } = block;
-        for begin in (0..count).step_by(6) {
-            let n = (count - begin).min(6);
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = source.as_ptr().add((first + begin) * LANES);
-                let to = out.as_mut_ptr().add(begin * LANES);
-                with_count!(n, quads, (to, base, row * LANES, entries), [1 2 3 4 5 6]);
-            }
-        }
-    }
-
-    /// # Safety
-    /// As [`neon`].
-    #[inline]
-    unsafe fn quads<const N: usize>(
-        to: *mut f32,
-        base: *const f32,
-        stride: usize,
-        entries: Entries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let mut sums: [[float32x4_t; 4]; N] =
-                std::array::from_fn(|v| [0, 4, 8, 12].map(|i| vld1q_f32(to.add(v * 16 + i))));
-            for (slot, weight) in entries.iter() {
-                let weight = vdupq_n_f32(weight);
-                let from = base.add(slot * stride);
-                for (v, sum) in sums.iter_mut().enumerate() {
-                    for (i, sum) in sum.iter_mut().enumerate() {
-                        *sum = vfmaq_f32(*sum, weight, vld1q_f32(from.add(v * 16 + i * 4)));
-                    }
-                }
-            }
-            for (v, sum) in sums.iter().enumerate() {
-                for (i, sum) in sum.iter().enumerate() {
-                    vst1q_f32(to.add(v * 16 + i * 4), *sum);
-                }
-            }
-        }
-    }
+    path!(
+        "neon", float32x4_t, 4, 6, [1 2 3 4 5 6],
+        vld1q_f32, vst1q_f32, vdupq_n_f32, |weight, value, sum| vfmaq_f32(sum, weight, value),
+        neon, quads
+    );
 }
 
 #[cfg(test)]

@@ -304,16 +304,9 @@ fn spread_plain<const FUSED: bool>(
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
+    use super::super::kernel::with_count;
     use super::{Block, LANES, PatchEntries, VOXELS};
     use std::arch::x86_64::*;
-
-    /// Calls `$f::<N>` with N = `$n`, one of `$k`.
-    macro_rules! with_count {
-        ($n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
-            match $n { $($k => with_count!(! $f, $k, $args),)* _ => {} }
-        };
-        (! $f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
-    }
 
     /// Registers of a block in pieces of at most `held`, nearly equal: first and number.
     fn pieces(count: usize, held: usize) -> impl Iterator<Item = (usize, usize)> {
