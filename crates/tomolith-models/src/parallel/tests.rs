@@ -41,6 +41,15 @@ fn vials() -> Vec<Box<dyn Vial>> {
     ]
 }
 
+/// Light in a resin that absorbs so much, 1/mm.
+fn weakened(pixels: PatternGrid, absorption_per_mm: f64) -> Light {
+    Light::new(pixels, Resin::absorbing(1.48, absorption_per_mm))
+}
+
+fn model_of(vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
+    Parallel::new(vial, vec![light], grid).unwrap()
+}
+
 fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
     let mut dose = model.new_dose().unwrap();
     model
@@ -55,16 +64,11 @@ fn every_vial_on_every_path_passes_the_model_check() {
         for isa in Isa::available() {
             // Odd sizes, an off-center grid, pixels finer and coarser than voxels, standing and turning
             for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
-                let mut light = Light::new(
-                    PatternGrid::full_turn(7, 0.2, 19, columns, pitch),
-                    Resin::absorbing(1.48, 0.2),
-                );
+                let mut light = weakened(PatternGrid::full_turn(7, 0.2, 19, columns, pitch), 0.2);
                 light.sub_angles = sub_angles;
                 let mut grid = VolumeGrid::centered([21, 35, 37], 0.1);
                 grid.center_mm = [0.13, -0.05, 0.02];
-                let model = Parallel::new(vial.as_ref(), vec![light], grid)
-                    .unwrap()
-                    .with_isa(isa);
+                let model = model_of(vial.as_ref(), light, grid).with_isa(isa);
                 let found = check::model::model(&model, 7)
                     .unwrap_or_else(|e| panic!("{vial:?} {isa:?} {columns}: {e}"));
                 assert!((found.factor - 1.0).abs() < 1e-5, "{found:?}");
@@ -96,16 +100,13 @@ fn masked_pixels_leave_an_exact_pair() {
     for iz in 3..30 {
         wanted.values[grid.index(iz, 12, 17)] = 1;
     }
-    let mut light = Light::new(
-        PatternGrid::full_turn(6, 0.1, 44, 40, 0.1),
-        Resin::absorbing(1.48, 0.2),
-    );
-    let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
+    let mut light = weakened(PatternGrid::full_turn(6, 0.1, 44, 40, 0.1), 0.2);
+    let all = model_of(vials()[1].as_ref(), light.clone(), grid.clone());
     let brought = selection::contributions(&all, &wanted, &Work::new()).unwrap();
     let selections = [tomolith_optics::light::Selection::default()];
     let chosen = selection::chosen(&all.patterns, &selections, Some(brought.as_slice()));
     light.active = Some(selection::rows_of(&all.patterns, &chosen)[0].clone());
-    let masked = Parallel::new(vials()[1].as_ref(), vec![light], grid.clone()).unwrap();
+    let masked = model_of(vials()[1].as_ref(), light, grid.clone());
     check::model::model(&masked, 5).unwrap();
     let (active, every) = (masked.patterns[0].len(), all.patterns[0].len());
     assert!(
@@ -125,16 +126,12 @@ fn isa_paths_agree() {
         let results: Vec<Volume<f32>> = Isa::available()
             .into_iter()
             .map(|isa| {
-                let light = Light::new(
-                    PatternGrid::full_turn(9, 0.05, 20, 60, 0.1),
-                    Resin::absorbing(1.48, 0.2),
-                );
-                let model = Parallel::new(
+                let light = weakened(PatternGrid::full_turn(9, 0.05, 20, 60, 0.1), 0.2);
+                let model = model_of(
                     vial.as_ref(),
-                    vec![light],
+                    light,
                     VolumeGrid::centered([20, 40, 40], 0.1),
                 )
-                .unwrap()
                 .with_isa(isa);
                 dose_of(&model, &check::noise(3, model.patterns[0].len()))
             })
@@ -164,9 +161,7 @@ fn zeros_that_are_left_out_change_nothing() {
             let pixels = PatternGrid::full_turn(9, 0.05, 90, 60, 0.1);
             let light = Light::new(pixels, Resin::absorbing(1.48, 0.2));
             let grid = VolumeGrid::centered([90, 40, 40], 0.1);
-            let model = Parallel::new(vial.as_ref(), vec![light], grid)
-                .unwrap()
-                .with_isa(isa);
+            let model = model_of(vial.as_ref(), light, grid).with_isa(isa);
             // What a part of the light, and all of it less that part, bring adds up to what all brings
             let part = sparse(2, model.patterns[0].len());
             let all = check::noise(3, part.len());
@@ -220,17 +215,13 @@ fn every_column_leaves_the_energy_that_its_rays_lose() {
     // Tiny absorption too: μ·pitch = 1e-6 must not drown in rounding
     for vial in vials() {
         for mu in [1e-5, 0.3] {
-            let light = Light::new(
-                PatternGrid::full_turn(3, 0.37, 1, 53, 0.1),
-                Resin::absorbing(1.48, mu),
-            );
+            let light = weakened(PatternGrid::full_turn(3, 0.37, 1, 53, 0.1), mu);
             // One slice as thick as a row, wide enough for all of the resin
-            let model = Parallel::new(
+            let model = model_of(
                 vial.as_ref(),
-                vec![light.clone()],
+                light.clone(),
                 VolumeGrid::centered([1, 61, 61], 0.1),
-            )
-            .unwrap();
+            );
             for column in 0..53 {
                 let mut patterns = vec![0.0; model.patterns[0].len()];
                 patterns[model.patterns[0].runs[53 + column].offset] = 1.0;
@@ -275,8 +266,7 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
                 let pixels = PatternGrid::full_turn(17, 0.1, 1, columns + 2, 0.1);
                 let light = Light::new(pixels, Resin::absorbing(1.5, mu));
                 let grid = VolumeGrid::centered([1, half, half], 0.1);
-                let model =
-                    Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+                let model = model_of(vial.as_ref(), light.clone(), grid.clone());
                 let dose = dose_of(&model, &vec![1.0; model.patterns[0].len()]);
                 let all: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
                 let tracer = Tracer::new(vial.as_ref(), light.resin, 1.0, light.polarization);
@@ -315,12 +305,9 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
 /// that no wall cuts.
 fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
     let h = 4.5 / n as f64;
-    let light = Light::new(
-        PatternGrid::full_turn(3, 0.23, 1, n + 8, h),
-        Resin::absorbing(1.48, 0.3),
-    );
+    let light = weakened(PatternGrid::full_turn(3, 0.23, 1, n + 8, h), 0.3);
     let grid = VolumeGrid::centered([1, n, n], h);
-    let model = Parallel::new(vial, vec![light.clone()], grid.clone()).unwrap();
+    let model = model_of(vial, light.clone(), grid.clone());
     let pattern = |u: f64| 1.0 + 0.5 * (2.0 * u).sin();
     let columns = light.pixels.columns;
     let values: Vec<f32> = (0..3 * columns)
@@ -398,16 +385,8 @@ fn refraction_and_folds_put_dose_where_single_rays_put_it() {
 #[test]
 fn a_quarter_turn_of_the_frames_turns_the_dose() {
     for vial in vials() {
-        let light = Light::new(
-            PatternGrid::full_turn(8, 0.1, 3, 53, 0.1),
-            Resin::absorbing(1.48, 0.2),
-        );
-        let model = Parallel::new(
-            vial.as_ref(),
-            vec![light],
-            VolumeGrid::centered([3, 40, 40], 0.1),
-        )
-        .unwrap();
+        let light = weakened(PatternGrid::full_turn(8, 0.1, 3, 53, 0.1), 0.2);
+        let model = model_of(vial.as_ref(), light, VolumeGrid::centered([3, 40, 40], 0.1));
         let patterns = check::noise(11, model.patterns[0].len());
         let per_frame = patterns.len() / 8;
         let mut rolled = patterns.clone();
@@ -432,26 +411,17 @@ fn a_quarter_turn_of_the_frames_turns_the_dose() {
 fn a_turning_frame_is_the_mean_of_standing_ones() {
     let vial = IndexMatched { radius_mm: 2.0 };
     let grid = VolumeGrid::centered([2, 30, 30], 0.1);
-    let mut turning = Light::new(
-        PatternGrid::full_turn(4, 0.0, 2, 40, 0.1),
-        Resin::absorbing(1.48, 0.2),
-    );
+    let mut turning = weakened(PatternGrid::full_turn(4, 0.0, 2, 40, 0.1), 0.2);
     turning.sub_angles = 2;
-    let turning = Parallel::new(&vial, vec![turning], grid.clone()).unwrap();
+    let turning = model_of(&vial, turning, grid.clone());
     let x = check::noise(5, turning.patterns[0].len());
     let mean = dose_of(&turning, &x);
     let step = std::f64::consts::TAU / 4.0;
     let halves: Vec<Volume<f32>> = [-0.25, 0.25]
         .into_iter()
         .map(|part| {
-            let light = Light::new(
-                PatternGrid::full_turn(4, part * step, 2, 40, 0.1),
-                Resin::absorbing(1.48, 0.2),
-            );
-            dose_of(
-                &Parallel::new(&vial, vec![light], grid.clone()).unwrap(),
-                &x,
-            )
+            let light = weakened(PatternGrid::full_turn(4, part * step, 2, 40, 0.1), 0.2);
+            dose_of(&model_of(&vial, light, grid.clone()), &x)
         })
         .collect();
     for (i, m) in mean.values.iter().enumerate() {
@@ -468,8 +438,7 @@ fn pure_radon_adjoint_of_a_disc_is_its_chord() {
         PatternGrid::full_turn(5, 0.1, 1, n, h),
         Resin::pure_radon(1.48),
     );
-    let model =
-        Parallel::new(&IndexMatched { radius_mm: 1.99 }, vec![light], grid.clone()).unwrap();
+    let model = model_of(&IndexMatched { radius_mm: 1.99 }, light, grid.clone());
     // Cover of each voxel by the disc, from 8 × 8 points
     let mut disc = Volume::filled(grid.clone(), 0.0f32);
     for iy in 0..n {
@@ -510,16 +479,12 @@ fn pure_radon_adjoint_of_a_disc_is_its_chord() {
 fn a_single_pixel_lights_the_voxel_it_should() {
     // Frame 1 of 4 comes from +y (azimuth 90°); its columns grow along −x; row 0 is the top
     let vial = IndexMatched { radius_mm: 2.0 };
-    let light = Light::new(
-        PatternGrid::full_turn(4, 0.0, 10, 20, 0.1),
-        Resin::absorbing(1.48, 0.2),
-    );
-    let model = Parallel::new(
+    let light = weakened(PatternGrid::full_turn(4, 0.0, 10, 20, 0.1), 0.2);
+    let model = model_of(
         &vial,
-        vec![light.clone()],
+        light.clone(),
         VolumeGrid::centered([10, 20, 20], 0.1),
-    )
-    .unwrap();
+    );
     let mut patterns = tomolith_core::grid::Patterns::dark(light.pixels);
     patterns.values[(10 + 2) * 20 + 15] = 1.0; // frame 1, row 2, column 15
     let mut field = model.new_patterns().unwrap();
@@ -537,7 +502,7 @@ fn a_single_pixel_lights_the_voxel_it_should() {
 /// A model of so many slices, with as many rows.
 fn slices(vial: &dyn Vial, nz: usize, resin: Resin, columns: usize, pitch: f64) -> Parallel {
     let (light, grid) = light_of_slices(nz, resin, columns, pitch);
-    Parallel::new(vial, vec![light], grid).unwrap()
+    model_of(vial, light, grid)
 }
 
 fn light_of_slices(nz: usize, resin: Resin, columns: usize, pitch: f64) -> (Light, VolumeGrid) {
@@ -641,7 +606,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
                 ..reversible(all[frames].to_vec())
             }
         });
-        let paired = Parallel::new(&vial, vec![whole], grid.clone()).unwrap();
+        let paired = model_of(&vial, whole, grid.clone());
         let single = Parallel::new(&vial, halves.to_vec(), grid).unwrap();
         assert_eq!(paired.lights[0].of_view.len(), 5);
         assert_eq!(single.lights[0].of_view.len(), 5);
@@ -738,7 +703,7 @@ fn dose_by(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, patterns: &Pattern
         pixels: patterns.grid.clone(),
         ..light.clone()
     };
-    let model = Parallel::new(vial, vec![light], grid.clone()).unwrap();
+    let model = model_of(vial, light, grid.clone());
     let mut x = model.new_patterns().unwrap();
     model.patterns[0].fill_field(patterns, x.as_mut_slice());
     dose_of(&model, x.as_slice()).values
@@ -837,7 +802,7 @@ fn pixels_that_are_not_square_leave_the_energy_of_their_area_and_are_an_exact_pa
     assert!((energy / sent - 1.0).abs() < 1e-5, "{energy} of {sent}");
     for vial in vials() {
         let light = Light::new(pixels.clone(), Resin::absorbing(1.48, 0.3));
-        let model = Parallel::new(vial.as_ref(), vec![light], grid.clone()).unwrap();
+        let model = model_of(vial.as_ref(), light, grid.clone());
         check::model::model(&model, 3).unwrap();
     }
 }

@@ -21,10 +21,7 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
         for isa in Isa::available() {
             for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
                 // More views than a group has, some columns dark for good; a grid that patches do not fill
-                let mut light = Light::new(
-                    PatternGrid::full_turn(11, 0.2, 19, columns, pitch),
-                    Resin::absorbing(1.48, 0.2),
-                );
+                let mut light = weakened(PatternGrid::full_turn(11, 0.2, 19, columns, pitch), 0.2);
                 light.sub_angles = sub_angles;
                 let work = |column: usize| (0, if column % 5 == 2 { 0 } else { 19 });
                 light.active = Some((0..11 * columns).map(work).collect());
@@ -122,10 +119,7 @@ fn what_is_kept_takes_the_memory_that_was_said() {
     for vial in &vials()[..2] {
         for (pitch, sub_angles) in [(0.05, 1), (0.05, 4), (0.2, 4), (0.11, 2)] {
             let columns = (4.6 / pitch) as usize;
-            let mut light = Light::new(
-                PatternGrid::full_turn(24, 0.2, 19, columns, pitch),
-                Resin::absorbing(1.48, 0.2),
-            );
+            let mut light = weakened(PatternGrid::full_turn(24, 0.2, 19, columns, pitch), 0.2);
             light.sub_angles = sub_angles;
             let grid = VolumeGrid::centered([21, 48, 48], 0.05);
             let estimate = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
@@ -145,10 +139,7 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
     // More views than a group has in each quarter; slices, and rows of pixels under more slices; so many rows that what is kept does not serve all quarters
     for (shape, rows) in [([20, 36, 36], 30), ([40, 36, 36], 20), ([110, 20, 20], 100)] {
         for vial in vials().iter().take(2) {
-            let mut light = Light::new(
-                PatternGrid::full_turn(44, 0.2, rows, 45, 0.11),
-                Resin::absorbing(1.48, 0.2),
-            );
+            let mut light = weakened(PatternGrid::full_turn(44, 0.2, rows, 45, 0.11), 0.2);
             light.sub_angles = 2;
             let grid = VolumeGrid::centered(shape, 0.1);
             let each = [Finding::Once, Finding::InEachCall];
@@ -173,10 +164,7 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
 
 #[test]
 fn a_stopped_run_keeps_no_half_of_the_entries() {
-    let light = Light::new(
-        PatternGrid::full_turn(9, 0.2, 19, 40, 0.1),
-        Resin::absorbing(1.48, 0.2),
-    );
+    let light = weakened(PatternGrid::full_turn(9, 0.2, 19, 40, 0.1), 0.2);
     let grid = VolumeGrid::centered([21, 35, 37], 0.1);
     let model = keeping(vials()[0].as_ref(), light, grid);
     let (work, x) = (Work::new(), model.new_patterns().unwrap());

@@ -145,12 +145,9 @@ fn a_region_holds_something_where_any_of_its_voxels_does() {
 #[test]
 fn models_that_find_entries_anew_or_have_two_lights_have_no_regions() {
     let vial = IndexMatched { radius_mm: 2.0 };
-    let light = Light::new(
-        PatternGrid::full_turn(9, 0.2, 70, 40, 0.1),
-        Resin::absorbing(1.48, 0.2),
-    );
+    let light = weakened(PatternGrid::full_turn(9, 0.2, 70, 40, 0.1), 0.2);
     let grid = || VolumeGrid::centered([70, 20, 20], 0.1);
-    let anew = Parallel::new(&vial, vec![light.clone()], grid()).unwrap();
+    let anew = model_of(&vial, light.clone(), grid());
     assert!(anew.regions().is_none());
     let cached = keeping(&vial, light.clone(), grid());
     assert!(cached.regions().is_some());
