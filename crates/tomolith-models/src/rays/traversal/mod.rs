@@ -20,6 +20,8 @@
 #[cfg(target_arch = "x86_64")]
 mod eight;
 #[cfg(target_arch = "x86_64")]
+mod walk;
+#[cfg(target_arch = "x86_64")]
 mod wide;
 
 use super::segment::{Lattice, Segment, others};
@@ -128,10 +130,10 @@ unsafe fn add_slab(
         match gait.over(segment) {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: AVX-512F was detected; the rest is the caller's promise.
-            Gait::Wide => unsafe { wide::add(ways, first, segment, value, dose.0) },
+            Gait::Wide => unsafe { wide::add_slab(ways, slab, segment, value, dose.0) },
             #[cfg(target_arch = "x86_64")]
             // SAFETY: AVX2 and FMA were detected; the rest is the caller's promise.
-            Gait::Eight => unsafe { eight::add(ways, slab, segment, value, dose.0) },
+            Gait::Eight => unsafe { eight::add_slab(ways, slab, segment, value, dose.0) },
             _ => plain(ways, slab, segment, |voxel, deposit| {
                 // SAFETY: the caller's promise.
                 unsafe { *dose.0.add(voxel) += value * deposit };
