@@ -50,6 +50,12 @@ impl VolumeGrid {
         }
     }
 
+    /// The same box about another center, mm.
+    #[must_use]
+    pub fn about(self, center_mm: [f64; 3]) -> Self {
+        VolumeGrid { center_mm, ..self }
+    }
+
     /// Number of voxels.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -25,7 +25,6 @@ use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
 use tomolith_models::{parallel, successive_orders};
 use tomolith_objective::{ObjectiveInput, objectives};
 use tomolith_optics::light::Light;
-use tomolith_optics::motion::Motion;
 use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::rayleigh::Rayleigh;
 use tomolith_optics::phase::{Phase, Scattering};
@@ -53,19 +52,8 @@ struct Case {
 
 fn cases() -> Vec<Case> {
     let matched = || Box::new(IndexMatched { radius_mm: 1.6 }) as Box<dyn Vial>;
-    let glass = || -> Box<dyn Vial> {
-        Box::new(Cylinder {
-            inner_radius_mm: 1.3,
-            outer_radius_mm: 1.6,
-            refractive_index: 1.58,
-        })
-    };
-    let tube = Box::new(DoubleTube {
-        radii_mm: [1.6, 1.5, 0.7, 0.6],
-        outer_refractive_index: 1.5,
-        inner_refractive_index: 1.5,
-        core_refractive_index: 1.33,
-    });
+    let glass = || -> Box<dyn Vial> { Box::new(Cylinder::new(1.3, 1.6, 1.58)) };
+    let tube = Box::new(DoubleTube::new([1.6, 1.5, 0.7, 0.6], [1.5, 1.5, 1.33]));
     let absorbing = Resin::absorbing(1.4849, 0.4);
     let pixels = |frames, rows, columns| PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
     let light = |pixels, resin| with_dark_ends(Light::new(pixels, resin));
@@ -158,13 +146,7 @@ fn cases() -> Vec<Case> {
             family: orders(0.4),
             optics: vec![
                 scattering(Rayleigh {}, 0.15),
-                Optics {
-                    motion: Motion {
-                        tilt_rad: 0.2,
-                        ..Motion::default()
-                    },
-                    ..scattering(Rayleigh {}, 0.2)
-                },
+                scattering(Rayleigh {}, 0.2).tilted(0.2),
             ],
             binding: 1 << 20,
             ..straight(

@@ -10,7 +10,7 @@ mod scene;
 
 use common::{SMALL, gpu, smaller};
 use models::{assert_near, assert_one_matrix, some_dark, with_dark_ends};
-use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square, tilted};
+use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square};
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
@@ -116,7 +116,7 @@ fn cases() -> Vec<Case> {
         Case {
             lights: vec![light(3), clear, light(2)],
             optics: vec![
-                scattering(tilted(level(), 0.1), Rayleigh {}),
+                scattering(level().tilted(0.1), Rayleigh {}),
                 level(),
                 scattering(level(), Isotropic {}),
             ],
@@ -364,12 +364,7 @@ fn what_does_not_fit_is_refused_and_what_a_form_cannot_say_has_none() {
         assert!(case.form(&params).is_none());
     }
     let tube = Case {
-        vial: Box::new(DoubleTube {
-            radii_mm: [1.6, 1.5, 0.7, 0.6],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.5,
-            core_refractive_index: 1.33,
-        }),
+        vial: Box::new(DoubleTube::new([1.6, 1.5, 0.7, 0.6], [1.5, 1.5, 1.33])),
         ..cases().swap_remove(0)
     };
     assert!(tube.form(&tube.params).is_none());

@@ -10,7 +10,7 @@ mod scene;
 
 use common::{SMALL, gpu, smaller};
 use models::{assert_near, assert_one_matrix, noise_of, some_dark, with_dark_ends};
-use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square, tilted};
+use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square};
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
@@ -108,7 +108,7 @@ fn cases() -> Vec<Case> {
             "tilted light",
             glass(),
             light(5, 0.2),
-            tilted(Optics::collimated(0.1), 0.12),
+            Optics::collimated(0.1).tilted(0.12),
         ),
         case(
             "a square vial",
@@ -123,7 +123,7 @@ fn cases() -> Vec<Case> {
                 "turning frames, voxels aside",
                 glass(),
                 turning,
-                tilted(diverging.clone(), 0.12),
+                diverging.clone().tilted(0.12),
             )
         },
         Case {
@@ -140,7 +140,7 @@ fn cases() -> Vec<Case> {
         },
         Case {
             lights: vec![light(4, 0.3), clear],
-            optics: vec![diverging, tilted(cone(), 0.05)],
+            optics: vec![diverging, cone().tilted(0.05)],
             ..case(
                 "two lights",
                 Box::new(IndexMatched { radius_mm: 1.7 }),

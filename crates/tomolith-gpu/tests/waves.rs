@@ -56,10 +56,7 @@ fn clear(frames: usize) -> Light {
 
 /// 7 × 9 × 10 voxels of 0.8 µm, off the axis and off the rows.
 fn grid() -> VolumeGrid {
-    VolumeGrid {
-        center_mm: [0.5e-3, -0.3e-3, 0.15e-3],
-        ..VolumeGrid::centered([7, 9, 10], 0.8e-3)
-    }
+    VolumeGrid::centered([7, 9, 10], 0.8e-3).about([0.5e-3, -0.3e-3, 0.15e-3])
 }
 
 fn waves(name: &'static str, lights: Vec<Light>, params: &Params, grid: VolumeGrid) -> Case {
@@ -102,10 +99,7 @@ fn cases() -> Vec<Case> {
         PatternGrid::full_turn(3, 0.2, 20, 64, 1.6e-3),
         Resin::absorbing(1.5, 5.0),
     );
-    let long = VolumeGrid {
-        center_mm: [0.5e-3, 0.0, 0.0],
-        ..VolumeGrid::centered([3, 2, 64], 0.8e-3)
-    };
+    let long = VolumeGrid::centered([3, 2, 64], 0.8e-3).about([0.5e-3, 0.0, 0.0]);
     let cone = incoherent_cone::Params {
         half_angle_deg: 8.0,
         focus_mm: 1e-3,

@@ -230,10 +230,7 @@ mod tests {
     use flate2::write::GzEncoder;
 
     fn grid() -> VolumeGrid {
-        VolumeGrid {
-            center_mm: [1.0, 2.0, 3.0],
-            ..VolumeGrid::centered([2, 3, 4], 0.25)
-        }
+        VolumeGrid::centered([2, 3, 4], 0.25).about([1.0, 2.0, 3.0])
     }
 
     #[test]

@@ -249,10 +249,7 @@ mod tests {
     fn levels_are_means_that_lie_where_their_voxels_do() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("dose.ome.zarr");
-        let grid = VolumeGrid {
-            center_mm: [1.0, 2.0, 3.0],
-            ..VolumeGrid::centered([1, 3, 130], 0.5)
-        };
+        let grid = VolumeGrid::centered([1, 3, 130], 0.5).about([1.0, 2.0, 3.0]);
         // The last voxels alone are not zero
         let mut dose = vec![0.0; grid.len()];
         dose[128..130].copy_from_slice(&[1.0, 2.0]);

@@ -170,10 +170,7 @@ mod tests {
     use tiff::decoder::{Decoder, DecodingResult};
 
     fn grid() -> VolumeGrid {
-        VolumeGrid {
-            center_mm: [1.0, 2.0, 3.0],
-            ..VolumeGrid::centered([2, 3, 5], 0.25)
-        }
+        VolumeGrid::centered([2, 3, 5], 0.25).about([1.0, 2.0, 3.0])
     }
 
     /// Values from 0 to 1 that all differ.

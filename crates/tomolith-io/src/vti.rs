@@ -105,8 +105,7 @@ mod tests {
     fn the_bytes_are_where_the_header_says() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.vti");
-        let mut grid = VolumeGrid::centered([2, 3, 4], 0.25);
-        grid.center_mm = [1.0, 2.0, 3.0];
+        let grid = VolumeGrid::centered([2, 3, 4], 0.25).about([1.0, 2.0, 3.0]);
         let dose: Vec<f32> = (0..24).map(|i| i as f32 * 0.1).collect();
         let labels: Vec<u8> = (0..24).collect();
         write_vti(

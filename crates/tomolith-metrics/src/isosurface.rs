@@ -602,8 +602,7 @@ mod tests {
     #[test]
     fn corners_lie_on_the_plane_and_in_the_right_place() {
         // A slab that ends at x = 0.3: value 1 − (x − 0.3), level 1
-        let mut grid = VolumeGrid::centered([4, 4, 8], 0.5);
-        grid.center_mm = [0.1, 5.0, -3.0];
+        let grid = VolumeGrid::centered([4, 4, 8], 0.5).about([0.1, 5.0, -3.0]);
         let volume = Volume::from_fn(grid, |[x, ..]| (1.3 - x) as f32);
         let surface = isosurface(&volume, 1.0);
         let right: Vec<_> = surface

@@ -574,8 +574,7 @@ mod tests {
 
     #[test]
     fn the_mean_of_a_linear_field_over_blocks_is_the_field_at_their_centers() {
-        let mut grid = VolumeGrid::centered([4, 6, 8], 0.5);
-        grid.center_mm = [1.0, 2.0, 3.0];
+        let grid = VolumeGrid::centered([4, 6, 8], 0.5).about([1.0, 2.0, 3.0]);
         let at = |g: &VolumeGrid, i: usize| {
             let [x, y, z] = g.middle(i);
             (x + 10.0 * y + 100.0 * z) as f32

@@ -172,10 +172,7 @@ impl<'a> ModelInput<'a> {
 
     /// The input with other pixels of its lights.
     pub(crate) fn lit_by<'b>(&'b self, lights: &'b [Light]) -> ModelInput<'b> {
-        let scene = OpticalScene {
-            lights,
-            ..self.scene
-        };
+        let scene = self.scene.lit_by(lights);
         let cells = self.cells.clone();
         ModelInput {
             scene,

@@ -630,11 +630,7 @@ mod tests {
 
     #[test]
     fn the_matrix_of_a_model_is_the_model() {
-        let vial = Cylinder {
-            inner_radius_mm: 2.0,
-            outer_radius_mm: 2.2,
-            refractive_index: 1.58,
-        };
+        let vial = Cylinder::new(2.0, 2.2, 1.58);
         // Pixels finer than voxels in the one light and coarser in the other, so that rows share slices and slices rows
         let light = |frames, rows, columns, pitch| {
             Light::new(

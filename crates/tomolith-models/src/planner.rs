@@ -219,7 +219,6 @@ mod tests {
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
     use tomolith_optics::light::Light;
-    use tomolith_optics::motion::Motion;
     use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
     use tomolith_optics::phase::{Phase, Scattering, rayleigh::Rayleigh};
     use tomolith_optics::resin::Resin;
@@ -253,7 +252,7 @@ mod tests {
     fn planned(asked: Option<&Family>, scene: OpticalScene<'_>, light: Light) -> String {
         let grid = VolumeGrid::centered([6, 8, 8], 0.1);
         let lights = &[light];
-        let scene = OpticalScene { lights, ..scene };
+        let scene = scene.lit_by(lights);
         match plan(asked, scene, &grid, None, &Work::new()) {
             Ok(plan) => plan.reason,
             Err(Error::Config { key, .. }) => key,
@@ -286,13 +285,7 @@ mod tests {
     #[test]
     fn the_cheapest_model_is_exact_and_one_that_is_not_is_refused_by_its_key() {
         let level = [Optics::collimated(0.1)];
-        let leaning = [Optics {
-            motion: Motion {
-                tilt_rad: 0.1,
-                ..Motion::default()
-            },
-            ..level[0].clone()
-        }];
+        let leaning = [level[0].clone().tilted(0.1)];
         let section = Section::new("target.phantom", serde_json::json!("sphere"));
         let placement = Placement {
             size_mm: Some(0.8),

@@ -57,6 +57,15 @@ impl<'a> OpticalScene<'a> {
         }
     }
 
+    /// The scene with other pixels of its lights.
+    #[must_use]
+    pub fn lit_by<'b>(self, lights: &'b [Light]) -> OpticalScene<'b>
+    where
+        'a: 'b,
+    {
+        OpticalScene { lights, ..self }
+    }
+
     /// Whether light is scattered anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {

@@ -310,10 +310,7 @@ mod tests {
         let values = vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
         // Two rows of three cells of 2 mm: x from −3 to 3, y from −2 to 2
         let map = AbsorptionMap::new([1, 2, 3], 2.0, values.clone(), values).unwrap();
-        let ray = Ray {
-            from: [-5.0, 1.0, 7.0],
-            direction: [1.0, 0.0, 0.0],
-        };
+        let ray = Ray::new([-5.0, 1.0, 7.0], [1.0, 0.0, 0.0]);
         let expected = [
             (0., 2., 9.),
             (2., 4., 4.),
@@ -322,20 +319,14 @@ mod tests {
             (8., 10., 9.),
         ];
         assert_eq!(pieces(&map, ray, 10.0), expected);
-        let back = Ray {
-            from: [2.0, -1.0, 0.0],
-            direction: [-1.0, 0.0, 0.0],
-        };
+        let back = Ray::new([2.0, -1.0, 0.0], [-1.0, 0.0, 0.0]);
         let expected = [(0., 1., 3.), (1., 3., 2.), (3., 4.5, 1.)];
         assert_eq!(pieces(&map, back, 4.5), expected);
         // Straight up a map of two levels, 2 mm below and above z = 0; equal cells are one piece
         let values = vec![1.0, 1.0, 2.0, 2.0];
         let map = AbsorptionMap::new([2, 1, 2], 2.0, values.clone(), values).unwrap();
         assert!(!map.is_flat());
-        let up = Ray {
-            from: [0.5, 0.5, -3.0],
-            direction: [0.0, 0.0, 1.0],
-        };
+        let up = Ray::new([0.5, 0.5, -3.0], [0.0, 0.0, 1.0]);
         let expected = [(0., 1., 9.), (1., 3., 1.), (3., 5., 2.), (5., 6., 9.)];
         assert_eq!(pieces(&map, up, 6.0), expected);
     }
@@ -346,10 +337,7 @@ mod tests {
         let moved = cells().about(by);
         let direction = [0.6, 0.64, 0.48];
         let from = [-1.5, -1.4, -0.9];
-        let there = Ray {
-            from: std::array::from_fn(|i| from[i] + by[i]),
-            direction,
-        };
+        let there = Ray::new(std::array::from_fn(|i| from[i] + by[i]), direction);
         let [here, there] = [(cells(), Ray { from, direction }), (moved, there)]
             .map(|(map, ray)| pieces(&map, ray, 4.0));
         assert_eq!(here.len(), there.len());
@@ -388,10 +376,7 @@ mod tests {
             assert!((at(index) - expected).abs() < 1e-5, "{index:?}");
         }
         // One voxel over two columns of cells and 1.4 mm beyond: 3 × 4 × 2 cells of 3 × 4 × 4
-        let one = VolumeGrid {
-            center_mm: [-1.75, 0.0, 0.0],
-            ..VolumeGrid::centered([1, 1, 1], 2.8)
-        };
+        let one = VolumeGrid::centered([1, 1, 1], 2.8).about([-1.75, 0.0, 0.0]);
         let within: f32 = (0..12)
             .map(|row| values[5 * row] + values[5 * row + 1])
             .sum();

@@ -138,16 +138,10 @@ impl IndexGradient {
             std::array::from_fn(|i| momentum[i] + 0.5 * step * pull[i])
         };
         let half: [f64; 3] = kicked(ray.direction.map(|d| index * d), ray.from);
-        let chord = Ray {
-            from: ray.from,
-            direction: unit(half),
-        };
+        let chord = Ray::new(ray.from, unit(half));
         let length = step * dot(half, half).sqrt();
         let to = chord.at(length);
-        let end = Ray {
-            from: to,
-            direction: unit(kicked(half, to)),
-        };
+        let end = Ray::new(to, unit(kicked(half, to)));
         Chord {
             ray: chord,
             length,

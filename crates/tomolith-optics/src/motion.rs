@@ -76,10 +76,7 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_2;
 
-    const RAY: Ray = Ray {
-        from: [3.0, 1.0, 0.5],
-        direction: [-1.0, 0.0, 0.0],
-    };
+    const RAY: Ray = Ray::new([3.0, 1.0, 0.5], [-1.0, 0.0, 0.0]);
 
     fn near(a: [f64; 3], b: [f64; 3]) -> bool {
         a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-14)

@@ -354,10 +354,7 @@ impl SpaceTracer {
         // Back to where no wall has been met
         let [x, y, _] = ray.direction;
         let back = dot(ray.from, ray.direction) + self.far / x.hypot(y).max(LEAST_SLANT);
-        let ray = Ray {
-            from: ray.at(-back),
-            direction: ray.direction,
-        };
+        let ray = Ray::new(ray.at(-back), ray.direction);
         let mut waiting = vec![State {
             ray,
             fields: Fields::new(self.polarization, ray.direction),
@@ -484,10 +481,7 @@ impl SpaceTracer {
         let mut fields = Fields::new(Polarization::Unpolarized, direction);
         fields.scale(power);
         waiting.push(State {
-            ray: Ray {
-                from: segment.ray.at(distance),
-                direction,
-            },
+            ray: Ray::new(segment.ray.at(distance), direction),
             fields,
             order: state.order + 1,
             ..*state
@@ -765,10 +759,7 @@ impl SpaceTracer {
         let mut fields = Fields::new(Polarization::Unpolarized, direction);
         fields.scale(sent);
         waiting.push(State {
-            ray: Ray {
-                from: state.ray.from,
-                direction,
-            },
+            ray: Ray::new(state.ray.from, direction),
             fields,
             order: state.order + 1,
             ..*state
@@ -857,10 +848,7 @@ fn bounced(state: &State, normal: [f64; 3], parts: [f64; 2]) -> Part {
     let back = unit(std::array::from_fn(|i| d[i] - 2.0 * along * normal[i]));
     let s = across_incidence(d, normal);
     Part {
-        ray: Ray {
-            from: state.ray.from,
-            direction: back,
-        },
+        ray: Ray::new(state.ray.from, back),
         fields: state
             .fields
             .through(s, [cross(d, s), cross(back, s)], parts),
@@ -890,10 +878,7 @@ fn split(state: &State, normal: [f64; 3], n1: f64, n2: f64) -> Split {
     let passed = [r_s, r_p].map(|r| (1.0 - r * r).sqrt());
     Split {
         transmitted: Some(Part {
-            ray: Ray {
-                from,
-                direction: on,
-            },
+            ray: Ray::new(from, on),
             fields: state.fields.through(s, [p, cross(on, s)], passed),
         }),
         reflected: bounced(state, normal, [r_s, r_p]),

@@ -248,22 +248,12 @@ mod tests {
     fn vials() -> Vec<Box<dyn Vial>> {
         vec![
             Box::new(IndexMatched { radius_mm: 6.0 }),
-            Box::new(Cylinder {
-                inner_radius_mm: 8.0,
-                outer_radius_mm: 8.7,
-                refractive_index: 1.58,
-            }),
-            Box::new(Square {
-                inner_width_mm: 10.0,
-                outer_width_mm: 12.4,
-                refractive_index: 1.54,
-            }),
-            Box::new(DoubleTube {
-                radii_mm: [7.354, 6.363, 3.18, 2.58],
-                outer_refractive_index: 1.5,
-                inner_refractive_index: 1.5,
-                core_refractive_index: 1.33,
-            }),
+            Box::new(Cylinder::new(8.0, 8.7, 1.58)),
+            Box::new(Square::new(10.0, 12.4, 1.54)),
+            Box::new(DoubleTube::new(
+                [7.354, 6.363, 3.18, 2.58],
+                [1.5, 1.5, 1.33],
+            )),
         ]
     }
 
@@ -312,11 +302,7 @@ mod tests {
     #[test]
     fn bouguer_invariant_holds_in_the_cylinder() {
         let (n_r, n_s) = (1.4849, 1.0);
-        let vial = Cylinder {
-            inner_radius_mm: 8.0,
-            outer_radius_mm: 8.7,
-            refractive_index: 1.58,
-        };
+        let vial = Cylinder::new(8.0, 8.7, 1.58);
         let tracer = Tracer::new(&vial, Resin::absorbing(n_r, 0.1), n_s, Polarization::S);
         for u in [-8.5, -5.0, -0.1, 0.0, 2.0, 7.9, 8.6] {
             let segment = tracer.trace(u, 1.1).segments[0];
@@ -350,16 +336,8 @@ mod tests {
     fn absorbed_fractions_agree_with_another_program() {
         // Dr.TVAM 0.9.0, one pixel, regular sampling; its (n_s/n_resin)² factor divided out.
         // cylinder 7.5/8 mm, 1.54/1.49, μ 0.1; square 10.191/12.408 mm, 1.54/1.347, μ 0.03; index-matched 7.5 mm, μ 0.1
-        let cylinder = Cylinder {
-            inner_radius_mm: 7.5,
-            outer_radius_mm: 8.0,
-            refractive_index: 1.54,
-        };
-        let square = Square {
-            inner_width_mm: 10.191,
-            outer_width_mm: 12.408,
-            refractive_index: 1.54,
-        };
+        let cylinder = Cylinder::new(7.5, 8.0, 1.54);
+        let square = Square::new(10.191, 12.408, 1.54);
         let matched = IndexMatched { radius_mm: 7.5 };
         type Case<'a> = (&'a dyn Vial, f64, f64, [f64; 4], [f64; 4]);
         let even = [0.0, 2.0, 4.0, 6.0];

@@ -36,11 +36,7 @@ fn read(path: &Path, name: &str) -> Result<Array3<f32>, Box<dyn Error>> {
 
 fn vial(is_glass: bool) -> Box<dyn Vial> {
     if is_glass {
-        Box::new(Cylinder {
-            inner_radius_mm: 3.5,
-            outer_radius_mm: 4.0,
-            refractive_index: 1.52,
-        })
+        Box::new(Cylinder::new(3.5, 4.0, 1.52))
     } else {
         Box::new(IndexMatched { radius_mm: 3.5 })
     }

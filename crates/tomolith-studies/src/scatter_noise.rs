@@ -68,11 +68,7 @@ pub(crate) fn even_dose<F: Field>(
 
 /// Calls `with` with the scene, of so many times fewer frames.
 pub(crate) fn with_scene<T>(divisor: usize, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-    let vial = Square {
-        inner_width_mm: 7.0,
-        outer_width_mm: 8.0,
-        refractive_index: 1.24,
-    };
+    let vial = Square::new(7.0, 8.0, 1.24);
     let pixels = PatternGrid::full_turn((200 / divisor).max(1), 0.0, 20, 200, 0.05);
     let mut light = Light::new(pixels, Resin::absorbing(1.347, 0.009));
     light.resin.attenuation_per_mm = 0.09;

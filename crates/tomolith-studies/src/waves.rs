@@ -56,10 +56,7 @@ fn light_of_model(
     off: f64,
     x: &[f64],
 ) -> Result<(String, Vec<Vec<f64>>), Error> {
-    let grid = VolumeGrid {
-        center_mm: [off * pitch, 0.0, 0.0],
-        ..VolumeGrid::centered([n, n, n], pitch)
-    };
+    let grid = VolumeGrid::centered([n, n, n], pitch).about([off * pitch, 0.0, 0.0]);
     let light = Light::new(
         PatternGrid::full_turn(1, 0.0, n, n, pitch),
         Resin::pure_radon(1.5),

@@ -289,10 +289,7 @@ mod tests {
         let one = image.sample(&VolumeGrid::centered([1, 1, 1], 4.0)).unwrap();
         assert!((one.values[0] - 2.1 / 16.0 / 2.0).abs() < 1e-7);
         // Half of the left and half of the middle column
-        let grid = VolumeGrid {
-            center_mm: [-0.5, 0.5, 0.0],
-            ..VolumeGrid::centered([1, 1, 1], 1.0)
-        };
+        let grid = VolumeGrid::centered([1, 1, 1], 1.0).about([-0.5, 0.5, 0.0]);
         assert!((image.sample(&grid).unwrap().values[0] - 0.15).abs() < 1e-7);
     }
 
@@ -300,10 +297,7 @@ mod tests {
     fn small_voxels_are_interpolated() {
         let image = image();
         let at = |x: f64, y: f64| {
-            let grid = VolumeGrid {
-                center_mm: [x, y, 0.0],
-                ..VolumeGrid::centered([1, 1, 1], 1e-3)
-            };
+            let grid = VolumeGrid::centered([1, 1, 1], 1e-3).about([x, y, 0.0]);
             image.sample(&grid).unwrap().values[0]
         };
         assert!((at(-1.0, 0.5) - 0.1).abs() < 1e-6); // the middle of a pixel

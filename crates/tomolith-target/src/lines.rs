@@ -180,10 +180,7 @@ mod tests {
 
     /// The crossings of a line at y in the plane z.
     fn crossings(mesh: &Mesh, z: f64, y: f64) -> Vec<(f64, i32)> {
-        let grid = VolumeGrid {
-            center_mm: [0.5; 3],
-            ..VolumeGrid::centered([1; 3], 1.0)
-        };
+        let grid = VolumeGrid::centered([1; 3], 1.0).about([0.5; 3]);
         let scaled = Scaled::new(mesh, None, &grid);
         let all = scaled.between(z, z);
         let (mut lines, mut found) = (Lines::default(), Vec::new());

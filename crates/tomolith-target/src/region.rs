@@ -91,10 +91,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
             (shape, pitch_mm)
         }
     };
-    Ok(VolumeGrid {
-        center_mm,
-        ..VolumeGrid::centered([z, y, x], pitch_mm)
-    })
+    Ok(VolumeGrid::centered([z, y, x], pitch_mm).about(center_mm))
 }
 
 /// Volume of a shape on so many voxels along its longest edge and more, mm³.

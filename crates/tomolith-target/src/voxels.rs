@@ -410,10 +410,7 @@ mod tests {
     fn a_box_fills_every_voxel_by_the_product_of_its_overlaps() {
         // Faces between, on and across voxel planes
         let (low, high) = ([0.3, 2.0, 1.25], [4.7, 5.0, 6.5]);
-        let grid = VolumeGrid {
-            center_mm: [3.0, 3.5, 4.0],
-            ..VolumeGrid::centered([8, 7, 6], 1.0)
-        };
+        let grid = VolumeGrid::centered([8, 7, 6], 1.0).about([3.0, 3.5, 4.0]);
         let volume = sampled(cuboid(low, high), &grid);
         for iz in 0..8 {
             for iy in 0..7 {
@@ -434,10 +431,8 @@ mod tests {
     fn the_part_of_a_mesh_beyond_the_grid_does_not_matter() {
         let mesh = turned(ball([0.0; 3], 2.0, 2), [10.0, 20.0, 30.0]);
         let wide = VolumeGrid::centered([48, 48, 48], 0.1);
-        let narrow = VolumeGrid {
-            center_mm: [0.1 * 11.0, 0.1 * 4.0, -0.1 * 12.0],
-            ..VolumeGrid::centered([16, 12, 10], 0.1)
-        };
+        let narrow =
+            VolumeGrid::centered([16, 12, 10], 0.1).about([0.1 * 11.0, 0.1 * 4.0, -0.1 * 12.0]);
         let (wide, narrow) = (sampled(mesh.clone(), &wide), sampled(mesh, &narrow));
         for iz in 0..16 {
             for iy in 0..12 {

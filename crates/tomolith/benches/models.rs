@@ -52,11 +52,7 @@ fn straight(n: usize, resin: Resin, name: &'static str) -> Case {
 fn cases(quick: bool) -> Vec<Case> {
     let radon = Resin::pure_radon(1.4849);
     let absorbing = Resin::absorbing(1.4849, 0.1);
-    let glass = Cylinder {
-        inner_radius_mm: 8.0,
-        outer_radius_mm: 8.7,
-        refractive_index: 1.58,
-    };
+    let glass = Cylinder::new(8.0, 8.7, 1.58);
     let mut cases = vec![
         straight(256, radon, "straight"),
         straight(256, absorbing, "absorbing"),

@@ -45,11 +45,7 @@ fn optics(name: &str) -> Optics {
 }
 
 fn main() {
-    let vial = Cylinder {
-        inner_radius_mm: 8.0,
-        outer_radius_mm: 8.7,
-        refractive_index: 1.58,
-    };
+    let vial = Cylinder::new(8.0, 8.7, 1.58);
     println!("light, rays, updates, dose s, adjoint s, dose and adjoint 10^6 updates/s");
     let names = [
         "level",

@@ -10,26 +10,17 @@ use tomolith_core::dose::{Accelerator, Work};
 use tomolith_core::grid::PatternGrid;
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::rays::Optics;
-use tomolith_optics::motion::Motion;
 use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::vial::Vial;
 use tomolith_optics::vial::cylinder::Cylinder;
 use tomolith_optics::vial::square::Square;
 
 pub(crate) fn glass() -> Box<dyn Vial> {
-    Box::new(Cylinder {
-        inner_radius_mm: 1.5,
-        outer_radius_mm: 1.7,
-        refractive_index: 1.54,
-    })
+    Box::new(Cylinder::new(1.5, 1.7, 1.54))
 }
 
 pub(crate) fn square() -> Box<dyn Vial> {
-    Box::new(Square {
-        inner_width_mm: 2.6,
-        outer_width_mm: 3.0,
-        refractive_index: 1.5,
-    })
+    Box::new(Square::new(2.6, 3.0, 1.5))
 }
 
 /// A full turn of frames of 21 × 31 pixels.
@@ -47,14 +38,6 @@ pub(crate) fn cone() -> Optics {
         }),
         ..Optics::collimated(0.1)
     }
-}
-
-pub(crate) fn tilted(optics: Optics, tilt_rad: f64) -> Optics {
-    let motion = Motion {
-        tilt_rad,
-        ..optics.motion
-    };
-    Optics { motion, ..optics }
 }
 
 /// Asserts that every kernel of these models, among them the named ones, can be had in the languages of Metal and DX12.

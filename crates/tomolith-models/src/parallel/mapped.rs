@@ -255,8 +255,7 @@ mod tests {
         };
         let mut light = Light::new(pixels, Resin::absorbing(1.5, 0.3));
         light.map = Some(Arc::new(map));
-        let mut grid = VolumeGrid::centered([nz, 33, 35], 0.1);
-        grid.center_mm = [0.05, -0.05, 0.0];
+        let grid = VolumeGrid::centered([nz, 33, 35], 0.1).about([0.05, -0.05, 0.0]);
         Parallel::new(&IndexMatched { radius_mm: 2.0 }, vec![light], grid).unwrap()
     }
 

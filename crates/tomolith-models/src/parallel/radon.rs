@@ -418,8 +418,7 @@ mod tests {
         for kernel in [Kernel::Line, Kernel::Linear, Kernel::Strip] {
             for pitch in [0.11, 0.055, 0.23] {
                 let pixels = PatternGrid::full_turn(7, 0.2, 9, 45, pitch);
-                let mut grid = VolumeGrid::centered([11, 35, 37], 0.1);
-                grid.center_mm = [0.13, -0.05, 0.02];
+                let grid = VolumeGrid::centered([11, 35, 37], 0.1).about([0.13, -0.05, 0.02]);
                 check::model::model(&model(kernel, pixels, grid), 7)
                     .unwrap_or_else(|e| panic!("{kernel:?} {pitch}: {e}"));
             }
@@ -492,11 +491,7 @@ mod tests {
 
     #[test]
     fn bent_and_weakened_light_is_refused_with_the_reason() {
-        let glass = Cylinder {
-            inner_radius_mm: 2.0,
-            outer_radius_mm: 2.2,
-            refractive_index: 1.58,
-        };
+        let glass = Cylinder::new(2.0, 2.2, 1.58);
         let matched = IndexMatched { radius_mm: 2.0 };
         let pixels = PatternGrid::full_turn(3, 0.0, 1, 9, 0.2);
         let grid = VolumeGrid::centered([1, 5, 5], 0.2);

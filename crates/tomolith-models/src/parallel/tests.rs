@@ -22,22 +22,9 @@ mod regions;
 fn vials() -> Vec<Box<dyn Vial>> {
     vec![
         Box::new(IndexMatched { radius_mm: 2.0 }),
-        Box::new(Cylinder {
-            inner_radius_mm: 2.0,
-            outer_radius_mm: 2.2,
-            refractive_index: 1.58,
-        }),
-        Box::new(Square {
-            inner_width_mm: 3.0,
-            outer_width_mm: 3.6,
-            refractive_index: 1.54,
-        }),
-        Box::new(DoubleTube {
-            radii_mm: [2.4, 2.1, 0.8, 0.6],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.5,
-            core_refractive_index: 1.33,
-        }),
+        Box::new(Cylinder::new(2.0, 2.2, 1.58)),
+        Box::new(Square::new(3.0, 3.6, 1.54)),
+        Box::new(DoubleTube::new([2.4, 2.1, 0.8, 0.6], [1.5, 1.5, 1.33])),
     ]
 }
 
@@ -66,8 +53,7 @@ fn every_vial_on_every_path_passes_the_model_check() {
             for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
                 let mut light = weakened(PatternGrid::full_turn(7, 0.2, 19, columns, pitch), 0.2);
                 light.sub_angles = sub_angles;
-                let mut grid = VolumeGrid::centered([21, 35, 37], 0.1);
-                grid.center_mm = [0.13, -0.05, 0.02];
+                let grid = VolumeGrid::centered([21, 35, 37], 0.1).about([0.13, -0.05, 0.02]);
                 let model = model_of(vial.as_ref(), light, grid).with_isa(isa);
                 let found = check::model::model(&model, 7)
                     .unwrap_or_else(|e| panic!("{vial:?} {isa:?} {columns}: {e}"));
@@ -244,22 +230,12 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
     for (radius, half) in [(0.55, 11), (0.53, 12)] {
         let vials: [Box<dyn Vial>; 4] = [
             Box::new(IndexMatched { radius_mm: radius }),
-            Box::new(Cylinder {
-                inner_radius_mm: radius,
-                outer_radius_mm: 1.1 * radius,
-                refractive_index: 1.58,
-            }),
-            Box::new(Square {
-                inner_width_mm: 2.0 * radius,
-                outer_width_mm: 2.4 * radius,
-                refractive_index: 1.54,
-            }),
-            Box::new(DoubleTube {
-                radii_mm: [1.1 * radius, radius, 0.4 * radius, 0.3 * radius],
-                outer_refractive_index: 1.5,
-                inner_refractive_index: 1.5,
-                core_refractive_index: 1.33,
-            }),
+            Box::new(Cylinder::new(radius, 1.1 * radius, 1.58)),
+            Box::new(Square::new(2.0 * radius, 2.4 * radius, 1.54)),
+            Box::new(DoubleTube::new(
+                [1.1 * radius, radius, 0.4 * radius, 0.3 * radius],
+                [1.5, 1.5, 1.33],
+            )),
         ];
         for vial in vials {
             for (mu, columns) in [(0.1, 13), (0.1, 14), (6.0, 13), (6.0, 14)] {
@@ -510,8 +486,7 @@ fn light_of_slices(nz: usize, resin: Resin, columns: usize, pitch: f64) -> (Ligh
     // Rows as high as slices whatever their pitch: one row for one slice
     light.pixels.rows = (nz as f64 * 0.1 / pitch).round().max(1.0) as usize;
     light.sub_angles = 2;
-    let mut grid = VolumeGrid::centered([nz, 35, 37], 0.1);
-    grid.center_mm = [0.13, -0.05, 0.0];
+    let grid = VolumeGrid::centered([nz, 35, 37], 0.1).about([0.13, -0.05, 0.0]);
     (light, grid)
 }
 

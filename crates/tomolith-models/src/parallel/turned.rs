@@ -178,11 +178,7 @@ mod tests {
     #[test]
     fn round_vials_and_even_grids_about_the_axis_repeat() {
         let round = IndexMatched { radius_mm: 2.0 };
-        let square = Square {
-            inner_width_mm: 4.0,
-            outer_width_mm: 4.5,
-            refractive_index: 1.5,
-        };
+        let square = Square::new(4.0, 4.5, 1.5);
         assert_eq!(parts(&round, 12, [4, 8, 8]), (3, 1));
         assert_eq!(parts(&round, 12, [4, 6, 8]), (6, 2));
         assert_eq!(parts(&round, 6, [4, 8, 8]), (3, 2));

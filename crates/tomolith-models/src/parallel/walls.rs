@@ -139,12 +139,7 @@ mod tests {
 
     #[test]
     fn a_strip_is_cut_at_the_walls_that_its_row_has() {
-        let vial = DoubleTube {
-            radii_mm: [6.0, 5.0, 3.0, 2.0],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.5,
-            core_refractive_index: 1.33,
-        };
+        let vial = DoubleTube::new([6.0, 5.0, 3.0, 2.0], [1.5, 1.5, 1.33]);
         // Voxels of 1 mm from −8 mm on: the row from 3 to 4 mm has resin up to ±4 mm, and no inner tube
         let walls = Walls::new(&vial, &VolumeGrid::centered([1, 16, 16], 1.0));
         let resin_row = walls.resin_row(Major::X, 11);

@@ -430,10 +430,7 @@ mod tests {
 
     /// Slices that are finer than rows of pixels.
     fn slices() -> VolumeGrid {
-        VolumeGrid {
-            center_mm: [0.0, 0.0, 0.1],
-            ..VolumeGrid::centered([40, 21, 22], 0.05)
-        }
+        VolumeGrid::centered([40, 21, 22], 0.05).about([0.0, 0.0, 0.1])
     }
 
     /// A light and the same with each row of pixels as so many equal ones, some of them dark for good.
@@ -499,11 +496,7 @@ mod tests {
     #[test]
     fn a_kernel_along_rows_gives_what_one_along_slices_gives() {
         let straight = IndexMatched { radius_mm: 2.0 };
-        let glass = Cylinder {
-            inner_radius_mm: 2.0,
-            outer_radius_mm: 2.2,
-            refractive_index: 1.58,
-        };
+        let glass = Cylinder::new(2.0, 2.2, 1.58);
         let vials: [(&dyn Vial, Resin); 3] = [
             (&straight, Resin::absorbing(1.48, 0.2)),
             (&straight, Resin::pure_radon(1.48)), // opposite frames are one view

@@ -106,10 +106,7 @@ mod tests {
     #[test]
     fn points_take_on_average_what_the_integral_takes() {
         let segment = PathSegment {
-            ray: Ray {
-                from: [0.0; 3],
-                direction: [1.0, 0.0, 0.0],
-            },
+            ray: Ray::new([0.0; 3], [1.0, 0.0, 0.0]),
             length: 5.0,
             power: 2.0,
             order: 0,

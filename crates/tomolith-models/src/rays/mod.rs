@@ -216,6 +216,13 @@ impl Optics {
         }
     }
 
+    /// The same light on an axis that is tilted by this angle.
+    #[must_use]
+    pub fn tilted(mut self, tilt_rad: f64) -> Self {
+        self.motion.tilt_rad = tilt_rad;
+        self
+    }
+
     /// Whether the light of all rows goes the same way, one above the other.
     fn is_alike_along_z(&self) -> bool {
         self.projector.is_collimated() && self.obstacles.is_empty()

@@ -542,10 +542,7 @@ mod tests {
 
     #[test]
     fn an_upright_prism_has_one_share_in_all_slices_that_it_fills() {
-        let grid = VolumeGrid {
-            center_mm: [0.0, 0.0, 0.01],
-            ..VolumeGrid::centered([7, 24, 24], 0.2)
-        };
+        let grid = VolumeGrid::centered([7, 24, 24], 0.2).about([0.0, 0.0, 0.01]);
         let star = serde_json::json!({"siemens_star": {"size_mm": 4.0, "height_mm": 1.1, "spokes": 6, "hub_mm": 1.0}});
         let star = phantom(star);
         let solid = Solid::new(&star, &grid).unwrap();

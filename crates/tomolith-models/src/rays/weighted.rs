@@ -109,7 +109,6 @@ mod tests {
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::light::Light;
-    use tomolith_optics::motion::Motion;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
@@ -123,13 +122,7 @@ mod tests {
                 azimuths: vec![azimuth],
                 ..PatternGrid::full_turn(1, 0.0, 1, 1, 0.5)
             };
-            let optics = Optics {
-                motion: Motion {
-                    tilt_rad,
-                    ..Motion::default()
-                },
-                ..Optics::collimated(0.5)
-            };
+            let optics = Optics::collimated(0.5).tilted(tilt_rad);
             let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
             let params = Params::default();
             let rays = Rays::new(&vial, vec![light], &[optics], &params, grid.clone())

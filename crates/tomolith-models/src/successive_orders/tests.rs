@@ -101,16 +101,8 @@ fn every_vial_and_phase_is_an_exact_pair() {
 fn pairs_of_every_vial_and_phase() {
     let vials: [&dyn Vial; 3] = [
         &BATH,
-        &Cylinder {
-            inner_radius_mm: 2.8,
-            outer_radius_mm: 3.0,
-            refractive_index: 1.5,
-        },
-        &Square {
-            inner_width_mm: 5.0,
-            outer_width_mm: 5.6,
-            refractive_index: 1.5,
-        },
+        &Cylinder::new(2.8, 3.0, 1.5),
+        &Square::new(5.0, 5.6, 1.5),
     ];
     for (i, vial) in vials.into_iter().enumerate() {
         let phases = [
@@ -138,11 +130,7 @@ fn pairs_of_every_vial_and_phase() {
 
 #[test]
 fn doses_of_all_purposes_agree_and_have_their_adjoint() {
-    let vial = Cylinder {
-        inner_radius_mm: 2.6,
-        outer_radius_mm: 3.0,
-        refractive_index: 1.55,
-    };
+    let vial = Cylinder::new(2.6, 3.0, 1.55);
     // Quarters of a turn of 8 frames repeat, those of 5 do not
     let lights = || vec![light(8, 7, 11, 0.3, 0.2), light(5, 7, 11, 0.3, 0.2)];
     let optics = [optics_of(Rayleigh {}, 0.2), optics_of(Rayleigh {}, 0.2)];
@@ -191,11 +179,7 @@ fn plane_albedo(albedo: f64) -> f64 {
 #[ignore = "slow"]
 fn a_half_space_sends_back_what_chandrasekhar_computes() {
     // Four square beams on flat walls, 24 mm of resin at μ_t = 1 behind each
-    let vial = Square {
-        inner_width_mm: 24.0,
-        outer_width_mm: 24.2,
-        refractive_index: 1.5,
-    };
+    let vial = Square::new(24.0, 24.2, 1.5);
     for albedo in [0.5, 0.8] {
         let expected = plane_albedo(albedo);
         let mut light = light(4, 4, 4, 0.5, 0.0);
@@ -290,16 +274,8 @@ fn two_bars() -> Vec<f32> {
 #[ignore = "slow"]
 fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_it_is_bright_and_dark()
  {
-    let glass = Cylinder {
-        inner_radius_mm: 2.8,
-        outer_radius_mm: 3.0,
-        refractive_index: 1.55,
-    };
-    let square = Square {
-        inner_width_mm: 5.0,
-        outer_width_mm: 5.6,
-        refractive_index: 1.5,
-    };
+    let glass = Cylinder::new(2.8, 3.0, 1.55);
+    let square = Square::new(5.0, 5.6, 1.5);
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     let (rayleigh, lobe) = (
         optics_of(Rayleigh {}, 0.3),
@@ -373,16 +349,8 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
 fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
     let vials: [&dyn Vial; 3] = [
         &BATH,
-        &Cylinder {
-            inner_radius_mm: 2.8,
-            outer_radius_mm: 3.0,
-            refractive_index: 1.55,
-        },
-        &Square {
-            inner_width_mm: 5.0,
-            outer_width_mm: 5.6,
-            refractive_index: 1.5,
-        },
+        &Cylinder::new(2.8, 3.0, 1.55),
+        &Square::new(5.0, 5.6, 1.5),
     ];
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     for vial in vials {
@@ -445,11 +413,7 @@ fn light_that_wanders_far_above_what_is_lit_comes_back() {
 #[ignore = "slow"]
 fn cones_without_an_opening_are_collimated_light() {
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
-    let glass = Cylinder {
-        inner_radius_mm: 2.8,
-        outer_radius_mm: 3.0,
-        refractive_index: 1.55,
-    };
+    let glass = Cylinder::new(2.8, 3.0, 1.55);
     for scattering in [
         optics_of(Rayleigh {}, 0.3),
         optics_of(HenyeyGreenstein { g: 0.4 }, 0.3),
@@ -503,12 +467,7 @@ fn smaller_cells_change_less_and_less() {
 
 #[test]
 fn what_it_does_not_cover_is_refused_with_the_reason() {
-    let tube = DoubleTube {
-        radii_mm: [3.0, 2.8, 0.5, 0.4],
-        outer_refractive_index: 1.5,
-        inner_refractive_index: 1.5,
-        core_refractive_index: 1.33,
-    };
+    let tube = DoubleTube::new([3.0, 2.8, 0.5, 0.4], [1.5, 1.5, 1.33]);
     let refused = |vial: &dyn Vial, shape: [usize; 3], scattering, cell_mm| {
         let grid = VolumeGrid::centered(shape, 0.3);
         let light = light(3, 4, 4, 0.3, 0.2);

@@ -30,10 +30,7 @@ fn light(frames: usize) -> Light {
 
 /// 7 × 9 × 10 voxels of 0.8 µm, off the axis and off the rows.
 fn grid() -> VolumeGrid {
-    VolumeGrid {
-        center_mm: [0.5e-3, -0.3e-3, 0.15e-3],
-        ..VolumeGrid::centered([7, 9, 10], 0.8e-3)
-    }
+    VolumeGrid::centered([7, 9, 10], 0.8e-3).about([0.5e-3, -0.3e-3, 0.15e-3])
 }
 
 fn settings(error: f64) -> Settings {
@@ -264,10 +261,7 @@ fn interpolating(settings: Settings) -> (Light, Precise) {
     let mut light = light(1);
     light.pixels.azimuths = vec![0.0];
     light.resin = Resin::pure_radon(1.5);
-    let grid = VolumeGrid {
-        center_mm: [0.5e-3, 0.0, 0.0],
-        ..VolumeGrid::centered([3, 2, 64], 0.8e-3)
-    };
+    let grid = VolumeGrid::centered([3, 2, 64], 0.8e-3).about([0.5e-3, 0.0, 0.0]);
     let eager = Settings {
         fields_cost: 1e-3,
         ..settings
@@ -446,10 +440,7 @@ fn a_gaussian_beam_widens_as_its_closed_form() {
         (-(u * u + z * z) / (waist * waist)).exp()
     });
     let rayleigh = PI * waist * waist / (405e-6 / 1.5);
-    let grid = VolumeGrid {
-        center_mm: [0.0, 0.0, 0.0005],
-        ..VolumeGrid::centered([2, 1, 121], 0.001)
-    };
+    let grid = VolumeGrid::centered([2, 1, 121], 0.001).about([0.0, 0.0, 0.0005]);
     // Voxels 1 µm apart in a plane cannot reach a Rayleigh length: the focal plane moves instead
     for focus in [0.0, 0.5, 1.5, 3.0] {
         let params = focused(focus);

@@ -22,10 +22,7 @@ impl Projector for Collimated {
     }
 
     fn ray(&self, [u, z]: [f64; 2], _aperture: [f64; 2]) -> Ray {
-        Ray {
-            from: [0.0, u, z],
-            direction: [-1.0, 0.0, 0.0],
-        }
+        Ray::new([0.0, u, z], [-1.0, 0.0, 0.0])
     }
 
     fn is_collimated(&self) -> bool {

@@ -25,6 +25,12 @@ pub struct Ray {
 }
 
 impl Ray {
+    /// The ray from a point in a unit direction.
+    #[must_use]
+    pub const fn new(from: [f64; 3], direction: [f64; 3]) -> Self {
+        Ray { from, direction }
+    }
+
     /// The ray from a point toward another.
     #[must_use]
     pub fn through(from: [f64; 3], to: [f64; 3]) -> Self {

@@ -13,11 +13,7 @@ use tomolith_core::near;
 use tomolith_core::units::Mm;
 use tomolith_io::mesh::samples::cuboid;
 
-const GLASS: Cylinder = Cylinder {
-    inner_radius_mm: 7.5,
-    outer_radius_mm: 8.0,
-    refractive_index: 1.54,
-};
+const GLASS: Cylinder = Cylinder::new(7.5, 8.0, 1.54);
 
 fn resin() -> Resin {
     Resin::absorbing(1.49, 0.1)
@@ -63,23 +59,13 @@ fn block([low, high]: [[f64; 3]; 2], material: BodyMaterial) -> Obstacle {
 
 fn level(u: f64, azimuth: f64) -> Ray {
     let (sin, cos) = azimuth.sin_cos();
-    Ray {
-        from: [-u * sin, u * cos, 0.4],
-        direction: [-cos, -sin, 0.0],
-    }
+    Ray::new([-u * sin, u * cos, 0.4], [-cos, -sin, 0.0])
 }
 
 #[test]
 fn level_rays_do_what_the_tracer_of_the_plane_says() {
-    let square = Square {
-        inner_width_mm: 10.0,
-        outer_width_mm: 12.4,
-        refractive_index: 1.54,
-    };
-    let double = DoubleTube {
-        core_refractive_index: 1.0,
-        ..TUBE
-    };
+    let square = Square::new(10.0, 12.4, 1.54);
+    let double = DoubleTube::new(RADII, [1.5, 1.52, 1.0]);
     for vial in [&GLASS as &dyn Vial, &square, &double] {
         for polarization in [Polarization::Unpolarized, Polarization::S, Polarization::P] {
             let plane = Tracer::new(vial, resin(), 1.0, polarization);
@@ -106,10 +92,7 @@ fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_t
     // n·(component along z) and n·(moment about z) are invariants of a round vial
     let space = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     let direction = unit([-1.0, 0.1, -0.25]);
-    let ray = Ray {
-        from: [0.0, 3.1, 0.2],
-        direction,
-    };
+    let ray = Ray::new([0.0, 3.1, 0.2], direction);
     let moment = |ray: &Ray| ray.from[0] * ray.direction[1] - ray.from[1] * ray.direction[0];
     let segment = space.trace(ray).segments[0];
     assert!((segment.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
@@ -226,11 +209,7 @@ fn a_body_that_reaches_through_a_wall_takes_its_place() {
     let clear = BodyMaterial::Dielectric {
         refractive_index: 1.49,
     };
-    let square = Square {
-        inner_width_mm: 10.0,
-        outer_width_mm: 12.0,
-        refractive_index: 1.6,
-    };
+    let square = Square::new(10.0, 12.0, 1.6);
     let with = |bodies: Vec<Obstacle>| {
         tracer(&square, Polarization::Unpolarized, TraceLimits::default())
             .with_obstacles(bodies)
@@ -260,11 +239,7 @@ fn a_body_that_reaches_through_a_wall_takes_its_place() {
 
 /// Luneburg's lens, n² = 2 − ρ²/R², in a tube that light does not see.
 fn lens(radius: f64, step_mm: f64) -> SpaceTracer {
-    let tube = Cylinder {
-        inner_radius_mm: radius,
-        outer_radius_mm: radius + 0.5,
-        refractive_index: 1.0,
-    };
+    let tube = Cylinder::new(radius, radius + 0.5, 1.0);
     let resin = Resin {
         refractive_index: 2.0f64.sqrt(),
         ..bent(-0.5 / radius.powi(2), 0.0, step_mm)
@@ -337,10 +312,7 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     let open = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     assert_eq!(ended.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
     // From above through the free surface and out through the plate: 11 mm of resin between planes
-    let down = Ray {
-        from: [0.0, 0.0, 6.0],
-        direction: unit([0.3, 0.0, -1.0]),
-    };
+    let down = Ray::new([0.0, 0.0, 6.0], unit([0.3, 0.0, -1.0]));
     let path = ended.trace(down);
     let sine = 0.3 / 1.09f64.sqrt() / 1.49;
     let length = 11.0 / (1.0 - sine * sine).sqrt();
@@ -357,19 +329,12 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     let passed = (1.0 - r(1.0, 1.49)) * (1.0 - r(1.49, 1.54)) * (1.0 - r(1.54, 1.0));
     assert!((axis.balance.transmitted - passed * (-1.1f64).exp()).abs() < 1e-12);
     // Above the vial there is nothing
-    let over = ended.trace(Ray {
-        from: [0.0, 0.0, 6.5],
-        direction: [-1.0, 0.0, 0.0],
-    });
+    let over = ended.trace(Ray::new([0.0, 0.0, 6.5], [-1.0, 0.0, 0.0]));
     assert!((over.balance.missed - 1.0).abs() < 1e-12 && over.segments.is_empty());
 }
 
-const TUBE: DoubleTube = DoubleTube {
-    radii_mm: [9.0, 8.0, 3.0, 2.5],
-    outer_refractive_index: 1.5,
-    inner_refractive_index: 1.52,
-    core_refractive_index: 1.33,
-};
+const RADII: [f64; 4] = [9.0, 8.0, 3.0, 2.5];
+const TUBE: DoubleTube = DoubleTube::new(RADII, [1.5, 1.52, 1.33]);
 
 /// A vial with a plate of 1 mm under −5 mm, and another over 6 mm of this thickness.
 fn closed(vial: impl Vial + 'static, lid_mm: f64) -> Ended {
@@ -390,10 +355,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
     };
     for up in [1.0, -1.0] {
         let at = |x: f64| {
-            let ray = Ray {
-                from: [0.6 * x, 0.8 * x, 1.0],
-                direction: [0.0, 0.0, up],
-            };
+            let ray = Ray::new([0.6 * x, 0.8 * x, 1.0], [0.0, 0.0, up]);
             let path = closed.trace(ray);
             assert!((path.balance.total() - 1.0).abs() < 1e-12, "{x} {up}");
             path
@@ -424,12 +386,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
 
 #[test]
 fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() {
-    let clear = DoubleTube {
-        outer_refractive_index: 1.49,
-        inner_refractive_index: 1.49,
-        core_refractive_index: 1.49,
-        ..TUBE
-    };
+    let clear = DoubleTube::new(RADII, [1.49; 3]);
     // Way of a line within a cylinder about the axis, from one height to another
     let within = |ray: &Ray, radius: f64, [low, high]: [f64; 2]| {
         let ([x, y, z], [dx, dy, dz]) = (ray.from, ray.direction);
@@ -449,10 +406,7 @@ fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() 
         let space = SpaceTracer::new(&vial, resin(), 1.49, Polarization::Unpolarized, limits);
         for _ in 0..4000 {
             let mut point = |half: f64| [(); 3].map(|()| half * (2.0 * random.uniform() - 1.0));
-            let ray = Ray {
-                from: point(6.0),
-                direction: unit(point(1.0)),
-            };
+            let ray = Ray::new(point(6.0), unit(point(1.0)));
             let heights = [-5.0, 6.0];
             let core = within(&ray, 3.0, heights);
             let way = within(&ray, 8.0, heights) - core;
@@ -521,7 +475,7 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
     let heights = [[-6.0, 6.5], [-5.0, 6.0], [-4.999, 5.999], [-4.998, 5.998]];
     let nets = TUBE.walls().into_iter().zip(heights);
     let nets = Nets(
-        nets.zip(TUBE.radii_mm)
+        nets.zip(RADII)
             .map(|((wall, heights), radius)| (net(radius, heights), wall.inside))
             .collect(),
     );
@@ -533,10 +487,7 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
     for i in 0..40 {
         // Across the axis, through the bottom plate and both walls of the inner tube
         let (x, sine) = (5.0 + 0.05 * f64::from(i), 0.86 + 0.002 * f64::from(i));
-        let ray = Ray {
-            from: [x, 0.0, -6.0],
-            direction: [-sine, 0.0, (1.0 - sine * sine).sqrt()],
-        };
+        let ray = Ray::new([x, 0.0, -6.0], [-sine, 0.0, (1.0 - sine * sine).sqrt()]);
         let (a, b) = (cans.trace(ray), nets.trace(ray));
         assert_eq!(a.segments.len(), b.segments.len(), "{i}");
         for (a, b) in a.segments.iter().zip(&b.segments) {
@@ -603,10 +554,7 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
 
 #[test]
 fn segments_alone_are_those_of_the_whole_path() {
-    let tube = DoubleTube {
-        core_refractive_index: 1.0,
-        ..TUBE
-    };
+    let tube = DoubleTube::new(RADII, [1.5, 1.52, 1.0]);
     let body = block([[3.2, -1.0, -1.0], [4.0, 1.0, 1.0]], BodyMaterial::Mirror);
     for reflections in [false, true] {
         let limits = TraceLimits {

@@ -34,6 +34,18 @@ pub struct Cylinder {
     pub refractive_index: f64,
 }
 
+impl Cylinder {
+    /// A vial of these radii, of the resin and of the glass.
+    #[must_use]
+    pub const fn new(inner_radius_mm: f64, outer_radius_mm: f64, refractive_index: f64) -> Self {
+        Cylinder {
+            inner_radius_mm,
+            outer_radius_mm,
+            refractive_index,
+        }
+    }
+}
+
 impl Vial for Cylinder {
     fn walls(&self) -> Vec<Wall> {
         vec![
@@ -77,10 +89,10 @@ pub const KIND: Kind<BuildVial> = Kind {
             ("inner_radius_mm", inner),
             ("outer_radius_mm", outer),
         )?;
-        Ok(Box::new(Cylinder {
-            inner_radius_mm: inner,
-            outer_radius_mm: outer,
-            refractive_index: params.refractive_index,
-        }))
+        Ok(Box::new(Cylinder::new(
+            inner,
+            outer,
+            params.refractive_index,
+        )))
     },
 };

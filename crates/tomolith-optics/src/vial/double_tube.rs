@@ -11,12 +11,7 @@
 //! # Example
 //! ```
 //! use tomolith_optics::vial::{Vial, double_tube::DoubleTube};
-//! let vial = DoubleTube {
-//!     radii_mm: [7.354, 6.363, 3.18, 2.58],
-//!     outer_refractive_index: 1.5,
-//!     inner_refractive_index: 1.5,
-//!     core_refractive_index: 1.33,
-//! };
+//! let vial = DoubleTube::new([7.354, 6.363, 3.18, 2.58], [1.5, 1.5, 1.33]);
 //! assert!(vial.in_resin([5.0, 0.0, 0.0])); // between the tubes
 //! assert!(!vial.in_resin([3.0, 0.0, 0.0]) && !vial.in_resin([1.0, 0.0, 0.0])); // inner glass, core
 //! ```
@@ -30,24 +25,26 @@ use tomolith_core::units::Mm;
 /// See the [module page](self).
 #[derive(Clone, Debug)]
 pub struct DoubleTube {
-    /// Radii from outside to inside, mm: outer glass, resin, inner glass, core.
-    pub radii_mm: [f64; 4],
-    /// Refractive index of the outer tube.
-    pub outer_refractive_index: f64,
-    /// Refractive index of the inner tube.
-    pub inner_refractive_index: f64,
-    /// Refractive index inside the inner tube.
-    pub core_refractive_index: f64,
+    radii_mm: [f64; 4],
+    refractive_indices: [f64; 3],
+}
+
+impl DoubleTube {
+    /// Tubes of these radii from outside to inside, mm: outer glass, resin, inner glass, core; with the refractive indices of the outer tube, the inner
+    /// tube, and what is inside it.
+    #[must_use]
+    pub const fn new(radii_mm: [f64; 4], refractive_indices: [f64; 3]) -> Self {
+        DoubleTube {
+            radii_mm,
+            refractive_indices,
+        }
+    }
 }
 
 impl Vial for DoubleTube {
     fn walls(&self) -> Vec<Wall> {
-        let inside = [
-            Medium::Clear(self.outer_refractive_index),
-            Medium::Resin,
-            Medium::Clear(self.inner_refractive_index),
-            Medium::Clear(self.core_refractive_index),
-        ];
+        let [outer, inner, core] = self.refractive_indices.map(Medium::Clear);
+        let inside = [outer, Medium::Resin, inner, core];
         self.radii_mm
             .iter()
             .zip(inside)
@@ -108,11 +105,11 @@ pub const KIND: Kind<BuildVial> = Kind {
         for pair in keys.windows(2) {
             inner_below_outer(section, pair[1], pair[0])?;
         }
-        Ok(Box::new(DoubleTube {
-            radii_mm: keys.map(|(_, value)| value),
-            outer_refractive_index: params.outer_refractive_index,
-            inner_refractive_index: params.inner_refractive_index,
-            core_refractive_index: params.core_refractive_index,
-        }))
+        let indices = [
+            params.outer_refractive_index,
+            params.inner_refractive_index,
+            params.core_refractive_index,
+        ];
+        Ok(Box::new(DoubleTube::new(keys.map(|key| key.1), indices)))
     },
 };

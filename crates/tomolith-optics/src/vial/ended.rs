@@ -170,11 +170,7 @@ mod tests {
 
     #[test]
     fn ends_that_cannot_be_are_refused_by_their_key() {
-        let glass = Cylinder {
-            inner_radius_mm: 4.0,
-            outer_radius_mm: 5.0,
-            refractive_index: 1.5,
-        };
+        let glass = Cylinder::new(4.0, 5.0, 1.5);
         assert_eq!(key(glass.clone(), Some(AT), Some(AT)), "vial.bottom.z_mm");
         let thin = End {
             thickness_mm: Mm(-1.0),
@@ -198,12 +194,7 @@ mod tests {
 
     #[test]
     fn a_tube_in_the_resin_ends_with_it() {
-        let tube = DoubleTube {
-            radii_mm: [9.0, 8.0, 3.0, 2.5],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.5,
-            core_refractive_index: 1.0,
-        };
+        let tube = DoubleTube::new([9.0, 8.0, 3.0, 2.5], [1.5, 1.5, 1.0]);
         let bottom = End {
             z_mm: Mm(-4.0),
             thickness_mm: Mm(0.5),

@@ -123,10 +123,7 @@ const ASIDE: f64 = 1e-6;
 fn inscribed(wall: &Surface) -> f64 {
     let look = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
-        let ray = Ray {
-            from: [0.0; 3],
-            direction: [cos, sin, 0.0],
-        };
+        let ray = Ray::new([0.0; 3], [cos, sin, 0.0]);
         wall.leave(&ray).map(|crossing| crossing.distance)
     };
     let distance = |i: u32| {

@@ -35,6 +35,18 @@ pub struct Square {
     pub refractive_index: f64,
 }
 
+impl Square {
+    /// A cuvette of these widths, of the resin and of the wall.
+    #[must_use]
+    pub const fn new(inner_width_mm: f64, outer_width_mm: f64, refractive_index: f64) -> Self {
+        Square {
+            inner_width_mm,
+            outer_width_mm,
+            refractive_index,
+        }
+    }
+}
+
 impl Vial for Square {
     fn walls(&self) -> Vec<Wall> {
         vec![
@@ -78,10 +90,6 @@ pub const KIND: Kind<BuildVial> = Kind {
             ("inner_width_mm", inner),
             ("outer_width_mm", outer),
         )?;
-        Ok(Box::new(Square {
-            inner_width_mm: inner,
-            outer_width_mm: outer,
-            refractive_index: params.refractive_index,
-        }))
+        Ok(Box::new(Square::new(inner, outer, params.refractive_index)))
     },
 };

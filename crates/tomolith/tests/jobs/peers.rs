@@ -77,11 +77,7 @@ fn doses_agree_with_dr_tvam() {
         return eprintln!("skipped: TOMOLITH_REFERENCE names no folder with the arrays of Dr.TVAM");
     }
     let matched = IndexMatched { radius_mm: 3.5 };
-    let cylinder = Cylinder {
-        inner_radius_mm: 3.5,
-        outer_radius_mm: 4.0,
-        refractive_index: 1.52,
-    };
+    let cylinder = Cylinder::new(3.5, 4.0, 1.52);
     // 64 random rays a pixel: noise below 1 %. Its refracting doses lack the factor n² (docs/validation.md).
     let cases: [(&dyn Vial, f64, &str, f64); 3] = [
         (&matched, 0.01, "drtvam_im_mu0.01_spp64.npz", 1.0),

@@ -28,10 +28,7 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
 
 #[test]
 fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
-    let grid = VolumeGrid {
-        center_mm: [0.03, -0.02, 0.05],
-        ..VolumeGrid::centered([11, 13, 12], 0.17)
-    };
+    let grid = VolumeGrid::centered([11, 13, 12], 0.17).about([0.03, -0.02, 0.05]);
     let [solid, _] = solids(&grid);
     for attenuation in [0.3, 9.0] {
         for (name, optics) in optics() {

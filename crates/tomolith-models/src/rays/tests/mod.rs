@@ -25,27 +25,14 @@ use tomolith_target::{MeshShape, Placement, Repair, Shape};
 mod cells;
 mod scattered;
 
-const GLASS: Cylinder = Cylinder {
-    inner_radius_mm: 1.6,
-    outer_radius_mm: 1.8,
-    refractive_index: 1.54,
-};
+const GLASS: Cylinder = Cylinder::new(1.6, 1.8, 1.54);
 
 fn vials() -> Vec<Box<dyn Vial>> {
     vec![
         Box::new(IndexMatched { radius_mm: 1.7 }),
         Box::new(GLASS),
-        Box::new(Square {
-            inner_width_mm: 3.0,
-            outer_width_mm: 3.4,
-            refractive_index: 1.5,
-        }),
-        Box::new(DoubleTube {
-            radii_mm: [1.9, 1.7, 0.5, 0.4],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.52,
-            core_refractive_index: 1.33,
-        }),
+        Box::new(Square::new(3.0, 3.4, 1.5)),
+        Box::new(DoubleTube::new([1.9, 1.7, 0.5, 0.4], [1.5, 1.52, 1.33])),
     ]
 }
 
@@ -67,10 +54,6 @@ fn ended() -> Vec<Box<dyn Vial>> {
 
 fn optics() -> Vec<(&'static str, Optics)> {
     let plain = Optics::collimated(0.2);
-    let leaning = Motion {
-        tilt_rad: 0.12,
-        ..Motion::default()
-    };
     let aside = Motion {
         offset_mm: [0.1, -0.05],
         axis_runout_mm: 0.03,
@@ -95,13 +78,7 @@ fn optics() -> Vec<(&'static str, Optics)> {
     };
     vec![
         ("collimated", plain.clone()),
-        (
-            "tilted",
-            Optics {
-                motion: leaning,
-                ..plain.clone()
-            },
-        ),
+        ("tilted", plain.clone().tilted(0.12)),
         (
             "off axis",
             Optics {
@@ -120,8 +97,7 @@ fn optics() -> Vec<(&'static str, Optics)> {
             "diverging, tilted",
             Optics {
                 projector: Arc::new(Diverging::new([0.2; 2], 12.0)),
-                motion: leaning,
-                ..plain.clone()
+                ..plain.clone().tilted(0.12)
             },
         ),
         ("black body", with(BodyMaterial::Black)),
@@ -330,10 +306,7 @@ fn brute_force_where(
 
 #[test]
 fn both_kernels_equal_a_brute_force_walk_in_f64() {
-    let grid = VolumeGrid {
-        center_mm: [0.03, -0.02, 0.05],
-        ..VolumeGrid::centered([19, 23, 37], 0.1)
-    };
+    let grid = VolumeGrid::centered([19, 23, 37], 0.1).about([0.03, -0.02, 0.05]);
     for attenuation in [0.3, 9.0] {
         for (name, optics) in optics() {
             let mut light = light(7, 5, 9, 0.23);
@@ -423,14 +396,7 @@ fn what_is_absorbed_is_what_the_account_says() {
 fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
     // Light of one frame from above, in an index-matched medium of no absorption: its centroid leans by the tilt
     let tilt: f64 = 0.25;
-    let motion = Motion {
-        tilt_rad: tilt,
-        ..Motion::default()
-    };
-    let optics = Optics {
-        motion,
-        ..Optics::collimated(0.1)
-    };
+    let optics = Optics::collimated(0.1).tilted(tilt);
     let mut light = light(1, 1, 1, 0.1);
     light.pixels.azimuths = vec![0.0];
     light.resin = Resin::pure_radon(1.5);
@@ -550,10 +516,7 @@ fn walks_that_are_kept_are_those_that_are_walked() {
 #[test]
 fn rows_that_are_followed_together_leave_what_single_rays_leave() {
     // Twenty slices, two vectors of lanes; the pixels reach beyond the grid. No height is that of a face, where rounding decides
-    let grid = VolumeGrid {
-        center_mm: [0.03, -0.02, 0.413],
-        ..VolumeGrid::centered([20, 17, 18], 0.1)
-    };
+    let grid = VolumeGrid::centered([20, 17, 18], 0.1).about([0.03, -0.02, 0.413]);
     let mut light = light(5, 18, 11, 0.15);
     light.sub_angles = 2;
     light.pixels.frame_arc = 0.3;
@@ -572,13 +535,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
     };
     let level = optics().remove(2).1;
     // Half a row higher than a slice: two classes. Rays rise and fall, and the last runs rather along the axis than across
-    let tilted = |tilt_rad| Optics {
-        motion: Motion {
-            tilt_rad,
-            ..level.motion
-        },
-        ..level.clone()
-    };
+    let tilted = |tilt_rad| level.clone().tilted(tilt_rad);
     let ways = [level.clone(), tilted(0.3), tilted(-0.2), tilted(1.2)];
     for (vial, optics) in vials()
         .iter()
@@ -758,18 +715,9 @@ fn pixels_that_are_not_square_leave_the_energy_of_their_area() {
 #[test]
 fn light_of_hardly_any_tilt_is_level_light() {
     // Rows begin 5e-7 of a slice below a face, where the shares of a way change over the least span
-    let grid = VolumeGrid {
-        center_mm: [0.0, 0.0, 0.05 + 5e-8],
-        ..VolumeGrid::centered([16, 17, 18], 0.1)
-    };
+    let grid = VolumeGrid::centered([16, 17, 18], 0.1).about([0.0, 0.0, 0.05 + 5e-8]);
     for tilt_rad in [1e-13, 1e-10, -1e-8] {
-        let optics = Optics {
-            motion: Motion {
-                tilt_rad,
-                ..Motion::default()
-            },
-            ..Optics::collimated(0.1)
-        };
+        let optics = Optics::collimated(0.1).tilted(tilt_rad);
         let params = Params {
             rays_per_pixel: 1,
             ..Params::default()

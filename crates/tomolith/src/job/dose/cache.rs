@@ -13,7 +13,7 @@ use crate::field::{Field, HostField};
 use crate::job::resolve::identity::{contents, hash, of_voxels};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::scenarios::SharedModel;
-use crate::models::{OpticalScene, PatternLayout, Work};
+use crate::models::{PatternLayout, Work};
 use crate::optics::light::Light;
 use crate::target::Target;
 use serde_json::json;
@@ -180,10 +180,7 @@ fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
     {
         return Ok(false);
     }
-    let optics = OpticalScene {
-        lights: &level.lights,
-        ..resolved.optimizing()
-    };
+    let optics = resolved.optimizing().lit_by(&level.lights);
     let family = resolved.optics.family(&level.grid)?;
     Ok(family.evaluates_alike(&optics, &level.grid))
 }

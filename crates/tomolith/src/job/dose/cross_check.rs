@@ -18,7 +18,7 @@ use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::{DoseModel, Family, ModelInput, OpticalScene, Work};
+use crate::models::{DoseModel, Family, ModelInput, Work};
 use crate::optics::light::{Light, Selection};
 use crate::optics::random::Stream;
 use crate::target::label;
@@ -169,10 +169,7 @@ fn scattered(
     work: &Work,
 ) -> Result<(Volume<f32>, Volume<f32>)> {
     let lights = lit(job, patterns);
-    let optics = OpticalScene {
-        lights: &lights,
-        ..job.optics.scene()
-    };
+    let optics = job.optics.scene().lit_by(&lights);
     let input = ModelInput::new(optics, grid, work)?;
     let whole = dose(family.build(&input)?.as_ref(), patterns, work)?;
     let straight = dose(family.unscattered(&input)?.as_ref(), patterns, work)?;

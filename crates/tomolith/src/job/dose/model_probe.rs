@@ -13,7 +13,7 @@ use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::multiresolution::coarser_grid;
 use crate::models::selection::contributions;
-use crate::models::{ModelInput, OpticalScene, Work};
+use crate::models::{ModelInput, Work};
 
 /// Voxels along the longest edge of the probe.
 const VOXELS: usize = 32;
@@ -64,10 +64,7 @@ fn probe(job: &ResolvedJob, work: &Work) -> Result<Option<CrossCheck>> {
     }
     let voxels = &job.voxels(&grid, &Work::new())?[0];
     let lights = job.optics.lights_turning(1);
-    let optics = OpticalScene {
-        lights: &lights,
-        ..job.optics.scene()
-    };
+    let optics = job.optics.scene().lit_by(&lights);
     let straight = family.unscattered(&ModelInput::new(optics, &grid, work)?)?;
     let brought = contributions(straight.as_ref(), &voxels.wanted(), work)?;
     let lit: Vec<f32> = (brought.as_slice().iter())

@@ -19,7 +19,7 @@ use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
-use crate::models::{DoseLayout, DoseModel, OpticalScene, Work};
+use crate::models::{DoseLayout, DoseModel, Work};
 use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
@@ -130,10 +130,7 @@ impl<'a> Stage<'a> {
                 found: None,
             });
         }
-        let optics = OpticalScene {
-            lights: &level.lights,
-            ..job.optimizing()
-        };
+        let optics = job.optimizing().lit_by(&level.lights);
         let asked = job.optics.model.as_ref();
         let plan = if job.is_optimized_in_time() {
             planned_in_time(job, asked, optics, level, &voxels, work)?

@@ -21,10 +21,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     let (spec, grid, extent) = (&resolved.spec, &resolved.grid, &resolved.extent);
     let lit = resolved.optimizing();
     let last = &resolved.levels[resolved.levels.len() - 1];
-    let finest = OpticalScene {
-        lights: &last.lights,
-        ..lit
-    };
+    let finest = lit.lit_by(&last.lights);
     let finest_cost = family.cost(&finest, &last.grid).unwrap_or_default();
     let job_cost = family.cost(&lit, grid)?;
     let entries = [&finest_cost, &job_cost].map(|cost| cost.cached_bytes.unwrap_or_default());

@@ -378,12 +378,7 @@ mod tests {
     #[test]
     fn a_part_that_touches_an_inner_tube_by_microns_is_cut_there_and_that_is_said() {
         let mut optics = Optics::new(&spec(&[]), Path::new("")).unwrap();
-        optics.vial = Box::new(DoubleTube {
-            radii_mm: [4.4, 4.0, 1.0, 0.8],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.5,
-            core_refractive_index: 1.33,
-        });
+        optics.vial = Box::new(DoubleTube::new([4.4, 4.0, 1.0, 0.8], [1.5, 1.5, 1.33]));
         // A ring from 0.99 mm on about a tube of 1 mm: voxels of 5 µm whose middles lie within the tube
         let grid = VolumeGrid {
             shape: [1, 300, 300],

@@ -3,7 +3,6 @@
 use super::optics::Optics;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
-use crate::models::OpticalScene;
 use crate::optics::light::{Light, Selection};
 use crate::optics::power_balance::PowerBalance;
 
@@ -23,10 +22,7 @@ pub(crate) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<Stri
         return Ok(Vec::new());
     }
     let few: Vec<Light> = optics.lights.iter().map(thinned).collect();
-    let job = OpticalScene {
-        lights: &few,
-        ..optics.scene()
-    };
+    let job = optics.scene().lit_by(&few);
     let rays = family.rays(&job, &VolumeGrid::centered([1, 1, 1], 1.0));
     let Some(model) = rays.transpose()? else {
         return Ok(Vec::new());

@@ -7,7 +7,7 @@
 use super::optics::Optics;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::job::resolve::ResolvedJob;
-use crate::models::{OpticalScene, planner};
+use crate::models::planner;
 use crate::optics::light::Light;
 use std::sync::Arc;
 
@@ -32,10 +32,7 @@ pub(crate) fn left_out(job: &ResolvedJob) -> Option<String> {
 pub(crate) fn is_large_enough(optics: &Optics, grid: &VolumeGrid, factor: usize) -> bool {
     let grid = coarser_grid(grid, factor);
     let lights = coarser_lights(&optics.lights, factor);
-    let job = OpticalScene {
-        lights: &lights,
-        ..optics.scene()
-    };
+    let job = optics.scene().lit_by(&lights);
     let covered = planner::choose(optics.model.as_ref(), &job, &grid)
         .and_then(|family| family.check(&job, &grid));
     grid.shape[1] >= LEAST

@@ -135,14 +135,9 @@ fn corners(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::motion::Motion;
     use crate::optics::vial::square::Square;
 
-    const VIAL: Square = Square {
-        inner_width_mm: 5.0,
-        outer_width_mm: 6.0,
-        refractive_index: 1.5,
-    };
+    const VIAL: Square = Square::new(5.0, 6.0, 1.5);
 
     #[test]
     fn pixels_near_the_corners_of_a_square_vial_stay_dark_from_every_side() {
@@ -183,13 +178,7 @@ mod tests {
     #[test]
     fn a_leaning_prism_has_the_same_edges_at_all_heights() {
         let pixels = PatternGrid::full_turn(4, 0.0, 40, 40, 0.2);
-        let leaning = rays::Optics {
-            motion: Motion {
-                tilt_rad: 0.5,
-                ..Motion::default()
-            },
-            ..rays::Optics::collimated(0.2)
-        };
+        let leaning = rays::Optics::collimated(0.2).tilted(0.5);
         let mask = corners("key", 0.5, &pixels, &VIAL, &leaning).unwrap();
         assert!((0..40).all(|row| mask.allows([1, row, 20]) && !mask.allows([1, row, 5])));
     }

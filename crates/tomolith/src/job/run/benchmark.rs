@@ -274,7 +274,7 @@ fn by_optimizer(
     let mut cotangent: Option<HostField> = None;
     let mut measure = |sample: Sample| -> Result<(Calls, ModelPlan)> {
         let lights = &sample.lights(job);
-        let optics = OpticalScene { lights, ..optics };
+        let optics = optics.lit_by(lights);
         let wanted = voxels.wanted();
         let (making_s, plan) =
             timed(|| planner::plan(asked, optics, &job.grid, Some(&wanted), work));
@@ -371,10 +371,7 @@ fn by_evaluation(
 /// What the model refuses; [`Error::Canceled`](crate::error::Error::Canceled).
 pub(crate) fn quantity(job: &ResolvedJob, work: &Work) -> Result<Quantity> {
     let lights = &Sample::least(job, timed_by(job)?).lights(job);
-    let optics = OpticalScene {
-        lights,
-        ..job.optics.scene()
-    };
+    let optics = job.optics.scene().lit_by(lights);
     let plan = planner::plan(computed(job), optics, &job.grid, None, work)?;
     Ok(plan.model.quantity())
 }
