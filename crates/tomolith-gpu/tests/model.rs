@@ -186,10 +186,7 @@ impl Phase for Forward {
 /// Collimated light that the resin scatters.
 fn scattering(phase: impl Phase + 'static, per_mm: f64) -> Optics {
     Optics {
-        scattering: Some(Scattering {
-            per_mm,
-            phase: Arc::new(phase),
-        }),
+        scattering: Some(Scattering::new(per_mm, phase)),
         ..Optics::collimated(0.1)
     }
 }

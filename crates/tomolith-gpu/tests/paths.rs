@@ -11,7 +11,6 @@ mod scene;
 use common::{SMALL, gpu, smaller};
 use models::{assert_near, assert_one_matrix, some_dark, with_dark_ends};
 use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square};
-use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseLayout, Work};
@@ -55,12 +54,8 @@ fn light(frames: usize) -> Light {
 }
 
 fn scattering(optics: Optics, phase: impl Phase + 'static) -> Optics {
-    let phase = Arc::new(phase);
     Optics {
-        scattering: Some(Scattering {
-            per_mm: MILK,
-            phase,
-        }),
+        scattering: Some(Scattering::new(MILK, phase)),
         ..optics
     }
 }

@@ -48,10 +48,7 @@ fn material(domain: &Domain, curing: Curing, scheme: Scheme, half: Option<f64>) 
         inhibitors: vec![oxygen],
         ..Network::new("acrylate", curing)
     };
-    let params = Params {
-        diffusion: scheme,
-        ..Params::new(vec![network])
-    };
+    let params = Params::new(vec![network]).diffusing_by(scheme);
     Photopolymer::new(params, Mixing::identity(1), domain.clone()).unwrap()
 }
 

@@ -437,10 +437,7 @@ mod tests {
         let mut milk = light();
         milk.resin.attenuation_per_mm = 0.5;
         let mut optics = [Optics::collimated(0.1)];
-        optics[0].scattering = Some(Scattering {
-            per_mm: 0.3,
-            phase: Arc::new(Rayleigh {}),
-        });
+        optics[0].scattering = Some(Scattering::new(0.3, Rayleigh {}));
         let scene = around(&optics, None);
         let mapped = |total: f32| {
             let map = AbsorptionMap::new([1, 1, 2], 1.0, vec![0.2, 0.1], vec![total; 2]);
@@ -487,10 +484,7 @@ mod tests {
         let mut milk = Optics::collimated(0.1);
         milk.motion.tilt_rad = 0.05;
         let clear = [milk.clone()];
-        milk.scattering = Some(Scattering {
-            per_mm: 0.3,
-            phase: Arc::new(Rayleigh {}),
-        });
+        milk.scattering = Some(Scattering::new(0.3, Rayleigh {}));
         let milk = [milk];
         let scatter: Family = Arc::new(monte_carlo::Params::default());
         // As many rays for each of the finer voxels, and sixteen times as many paths

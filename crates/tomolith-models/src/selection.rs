@@ -217,10 +217,7 @@ mod tests {
             let mut light = light();
             if scatters {
                 light.resin.attenuation_per_mm = 0.5;
-                optics[0].scattering = Some(Scattering {
-                    per_mm: 0.3,
-                    phase: Arc::new(Rayleigh {}),
-                });
+                optics[0].scattering = Some(Scattering::new(0.3, Rayleigh {}));
             }
             let planned = |light: Light| {
                 let (lights, work) = (&[light], Work::new());

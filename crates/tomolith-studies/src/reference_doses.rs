@@ -11,7 +11,6 @@ use ndarray_npy::NpzReader;
 use std::error::Error;
 use std::fs::File;
 use std::path::Path;
-use std::sync::Arc;
 use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
@@ -170,10 +169,7 @@ fn scattering(bench: &Bench, file: &Path) -> Result<(), Box<dyn Error>> {
     let light = bench.light(0.3, 0.5);
     let grid = || bench.grid.clone();
     let mut optics = [Optics::collimated(PITCH_MM)];
-    optics[0].scattering = Some(Scattering {
-        per_mm: 0.15,
-        phase: Arc::new(Isotropic {}),
-    });
+    optics[0].scattering = Some(Scattering::new(0.15, Isotropic {}));
     let orders = successive_orders::model(
         vial.as_ref(),
         vec![light.clone()],

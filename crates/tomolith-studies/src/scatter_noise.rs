@@ -7,7 +7,6 @@
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::error::Error;
-use std::sync::Arc;
 use std::time::Instant;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
@@ -74,10 +73,7 @@ pub(crate) fn with_scene<T>(divisor: usize, with: impl FnOnce(&ModelInput<'_>) -
     light.resin.attenuation_per_mm = 0.09;
     light.surrounding_index = 1.0;
     let mut optics = Optics::collimated(0.05);
-    optics.scattering = Some(Scattering {
-        per_mm: 0.081,
-        phase: Arc::new(Rayleigh {}),
-    });
+    optics.scattering = Some(Scattering::new(0.081, Rayleigh {}));
     let (grid, work) = (VolumeGrid::centered([50, 100, 100], 0.05), Work::new());
     let (lights, optics) = ([light], [optics]);
     let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);

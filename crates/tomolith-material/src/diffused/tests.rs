@@ -110,10 +110,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let mut x = model.new_patterns().unwrap();
     let noise = check::noise(3, x.len());
     x.copy_from_host(&noise.iter().map(|v| v.abs()).collect::<Vec<_>>());
-    let params = Params {
-        diffusion: Scheme::Spectral,
-        ..Params::new(vec![wandering(1.0, 0.02)])
-    };
+    let params = Params::new(vec![wandering(1.0, 0.02)]).diffusing_by(Scheme::Spectral);
     let domain = domain_of(&model);
     let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let light = print::LightSource::new(&model, &x);

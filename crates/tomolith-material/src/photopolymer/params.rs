@@ -210,6 +210,19 @@ impl Params {
         }
     }
 
+    /// The same with diffusion by this scheme.
+    #[must_use]
+    pub fn diffusing_by(self, diffusion: Scheme) -> Self {
+        Params { diffusion, ..self }
+    }
+
+    /// The same with a light that is shaded.
+    #[must_use]
+    pub fn shaded(mut self, shading: Shading) -> Self {
+        self.shading.push(shading);
+        self
+    }
+
     pub(super) fn validate(&self, mixing: &Mixing) -> Result<()> {
         if self.networks.len() != mixing.species() {
             return Err(Error::config(

@@ -153,10 +153,7 @@ fn what_cannot_be_is_named_by_its_key() {
         attenuation_per_mm: [0.1, 0.2],
     };
     let shaded = |shading: Shading| {
-        let params = Params {
-            shading: vec![shading],
-            ..Params::new(vec![plain()])
-        };
+        let params = Params::new(vec![plain()]).shaded(shading);
         let [key, _] = refused(Photopolymer::new(
             params,
             Mixing::identity(1),
@@ -180,18 +177,12 @@ fn what_cannot_be_is_named_by_its_key() {
         light: 0,
         ..shading
     };
-    let params = Params {
-        shading: vec![shading],
-        ..Params::new(vec![bleached])
-    };
+    let params = Params::new(vec![bleached]).shaded(shading);
     let both = Mixing::new(vec![vec![1.0, 0.5]]).unwrap();
     let [key, _] = refused(Photopolymer::new(params, both, domain([2; 3])));
     assert_eq!(key, "shading");
     // Modes know no air
-    let spectral = Params {
-        diffusion: Scheme::Spectral,
-        ..threshold(vec![oxygen(1.0, 1e-4)], 1.0)
-    };
+    let spectral = threshold(vec![oxygen(1.0, 1e-4)], 1.0).diffusing_by(Scheme::Spectral);
     let domain = domain([4; 3]).with_air_on_top();
     let [key, accepted] = refused(Photopolymer::new(spectral, Mixing::identity(1), domain));
     assert!(
@@ -239,10 +230,7 @@ fn strang_splitting_converges_with_the_square_of_the_step() {
         half_saturation: Some(0.2),
         ..oxygen(1.0, 1e-3)
     };
-    let params = Params {
-        diffusion: Scheme::Spectral,
-        ..threshold(vec![smooth], 1.0)
-    };
+    let params = threshold(vec![smooth], 1.0).diffusing_by(Scheme::Spectral);
     let material = build(params, [1, 1, 32]);
     let light: Vec<f32> = (0..32).map(|i| if i < 12 { 0.9 } else { 0.05 }).collect();
     let dose = |steps: usize| {
@@ -267,10 +255,7 @@ fn strang_splitting_converges_with_the_square_of_the_step() {
 #[test]
 fn both_schemes_agree_where_both_are_exact_enough() {
     let values_of = |scheme: Scheme| {
-        let params = Params {
-            diffusion: scheme,
-            ..threshold(vec![oxygen(1.0, 1e-4)], 1.0)
-        };
+        let params = threshold(vec![oxygen(1.0, 1e-4)], 1.0).diffusing_by(scheme);
         let material = build(params, [6, 12, 10]);
         let mut state = material.start().unwrap();
         let layout = material.domain().layout();
@@ -322,10 +307,7 @@ fn bleached_light_is_the_same_whether_its_model_was_renewed_or_not() {
         active_per_mm: [0.2, 0.2],
         attenuation_per_mm: [0.3, 0.3],
     };
-    let params = Params {
-        shading: vec![shading],
-        ..Params::new(vec![network])
-    };
+    let params = Params::new(vec![network]).shaded(shading);
     let material = build(params, [1, 1, 1]);
     // ∫P dq = (1 − e^(−bQ))/b
     let exact = (1.0 - (-0.5f64 * 3.0).exp()) / 0.5;
@@ -352,10 +334,7 @@ fn absorption_follows_the_cured_share() {
         active_per_mm: [0.1, 0.4],
         attenuation_per_mm: [0.2, 0.6],
     };
-    let params = Params {
-        shading: vec![shading],
-        ..threshold(Vec::new(), 2.0)
-    };
+    let params = threshold(Vec::new(), 2.0).shaded(shading);
     let material = build(params, [1, 1, 4]);
     let mut state = material.start().unwrap();
     assert!(material.absorption(&state, 1).is_none());
@@ -407,10 +386,7 @@ fn everything(scheme: Scheme) -> Photopolymer {
         }
         domain = domain.with_walls(&resin).unwrap().with_air_on_top();
     }
-    let params = Params {
-        diffusion: scheme,
-        ..Params::new(vec![first, second])
-    };
+    let params = Params::new(vec![first, second]).diffusing_by(scheme);
     Photopolymer::new(params, mixing, domain).unwrap()
 }
 

@@ -130,10 +130,7 @@ fn material(cured: f64, diffusion: f64) -> Photopolymer {
         active_per_mm: both,
         attenuation_per_mm: both,
     };
-    let params = Params {
-        shading: vec![shading],
-        ..Params::new(vec![network])
-    };
+    let params = Params::new(vec![network]).shaded(shading);
     let domain = domain_of(&Cross::even());
     Photopolymer::new(params, Mixing::identity(1), domain).unwrap()
 }

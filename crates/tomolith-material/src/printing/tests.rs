@@ -52,10 +52,7 @@ fn in_time(lights: usize) -> Printing {
         let mixing = Mixing::new(vec![vec![1.0, 0.2], vec![0.1, 0.9]]).unwrap();
         (vec![first, second], mixing, Scheme::Spectral)
     };
-    let params = Params {
-        diffusion: scheme,
-        ..Params::new(networks)
-    };
+    let params = Params::new(networks).diffusing_by(scheme);
     let domain = domain_of(&small());
     let material = Photopolymer::new(params, mixing, domain).unwrap();
     // Every turn of the first has patterns of its own: 12 frames

@@ -39,10 +39,7 @@ fn cells(cell_mm: Option<f64>) -> Params {
 /// Collimated light in a resin that scatters.
 fn optics_of(phase: impl Phase + 'static, per_mm: f64) -> Optics {
     Optics {
-        scattering: Some(Scattering {
-            per_mm,
-            phase: Arc::new(phase),
-        }),
+        scattering: Some(Scattering::new(per_mm, phase)),
         ..clear()
     }
 }

@@ -37,6 +37,15 @@ pub struct Scattering {
     pub phase: Arc<dyn Phase>,
 }
 
+impl Scattering {
+    /// So much light, 1/mm, sent where the phase function says.
+    #[must_use]
+    pub fn new(per_mm: f64, phase: impl Phase + 'static) -> Self {
+        let phase = Arc::new(phase);
+        Scattering { per_mm, phase }
+    }
+}
+
 /// Builds a phase function from its section.
 pub type BuildPhase = fn(&Section) -> Result<Box<dyn Phase>>;
 

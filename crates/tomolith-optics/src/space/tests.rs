@@ -581,10 +581,7 @@ fn segments_alone_are_those_of_the_whole_path() {
 const MILK_PER_MM: f64 = 0.5;
 
 fn milk(vial: &dyn Vial, resin: Resin, limits: TraceLimits) -> SpaceTracer {
-    let scattering = Scattering {
-        per_mm: MILK_PER_MM,
-        phase: Arc::new(Isotropic {}),
-    };
+    let scattering = Scattering::new(MILK_PER_MM, Isotropic {});
     let resin = Resin {
         attenuation_per_mm: resin.absorption_per_mm + MILK_PER_MM,
         ..resin

@@ -1,7 +1,7 @@
 //! Materials in the light of the `parallel` model: what diffuses, prints and shades there, against models that know it exactly.
 
 use std::sync::Arc;
-use tomolith::check::{self, taylor::Remainders};
+use tomolith::check::{self, dose, taylor::Remainders};
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
@@ -83,12 +83,6 @@ fn apart(a: &HostField, b: &HostField) -> HostField {
     let mut off = a.clone();
     off.axpy(-1.0, b);
     off
-}
-
-fn dose(model: &Model, x: &HostField) -> HostField {
-    let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Work::new()).unwrap();
-    dose
 }
 
 fn rms(a: &HostField) -> f64 {
@@ -219,10 +213,8 @@ fn a_dose_that_diffuses_is_what_a_material_without_oxygen_prints() {
         dose_diffusion_mm2_per_s: 2e-4,
         ..Network::new("resin", Curing::threshold(1.0))
     };
-    let params = Params {
-        diffusion: tomolith_material::diffusion::Scheme::Spectral,
-        ..Params::new(vec![threshold])
-    };
+    let params =
+        Params::new(vec![threshold]).diffusing_by(tomolith_material::diffusion::Scheme::Spectral);
     let material = Photopolymer::new(params, Mixing::identity(1), Domain::new(grid())).unwrap();
     let optics: Vec<Box<Model>> = vec![Box::new(parallel(FRAMES, None))];
     let printing = Printing::new(optics, schedule(false), Box::new(material), Some(0.4)).unwrap();

@@ -11,10 +11,7 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     let mut light = light(4, 5, 9, 0.2);
     light.resin.attenuation_per_mm = 0.3 + 0.8;
     let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering {
-        per_mm: 0.8,
-        phase: Arc::new(Rayleigh {}),
-    });
+    optics.scattering = Some(Scattering::new(0.8, Rayleigh {}));
     let params = monte_carlo::Params {
         paths_per_pixel: 8,
         ..monte_carlo::Params::default()
@@ -99,10 +96,7 @@ fn milk(
         Arc::new(AbsorptionMap::new(shape, pitch_mm, active, total).unwrap())
     });
     let mut optics = Optics::collimated(light.pixels.pitch_mm[0]);
-    optics.scattering = Some(Scattering {
-        per_mm: SCATTERED,
-        phase: Arc::new(Rayleigh {}),
-    });
+    optics.scattering = Some(Scattering::new(SCATTERED, Rayleigh {}));
     let params = monte_carlo::Params {
         smooth,
         ..monte_carlo::Params::default()
@@ -248,10 +242,7 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
     let mut light = light(4, 7, 11, 0.2);
     light.resin.attenuation_per_mm = 0.6;
     let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering {
-        phase: Arc::new(Rayleigh {}),
-        per_mm: 0.3,
-    });
+    optics.scattering = Some(Scattering::new(0.3, Rayleigh {}));
     let whole = |smooth| {
         let params = monte_carlo::Params {
             smooth,

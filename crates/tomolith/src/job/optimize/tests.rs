@@ -57,8 +57,7 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
 
 /// Dose of a model at the voxels of the part.
 fn in_part(model: &dyn DoseModel<Field = HostField>, x: &HostField, voxels: &Voxels) -> Vec<f64> {
-    let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Work::new()).unwrap();
+    let dose = crate::check::dose(model, x);
     let dose = model.outputs()[0].volume_of(dose.as_slice());
     let all = dose.values.iter().zip(&voxels.labels.values);
     let part = all.filter(|(_, label)| **label == crate::target::label::PART);

@@ -515,7 +515,6 @@ pub(crate) mod tests {
     use super::*;
     use crate::job::tests::{FULL, document_of};
     use crate::kind::Section;
-    use crate::models::DoseModel;
 
     pub(crate) fn spec(changes: &[&str]) -> JobSpec {
         JobSpec::from_document(&document_of(FULL, changes)).unwrap()
@@ -546,10 +545,7 @@ pub(crate) mod tests {
             let grid = VolumeGrid::centered([4, 8, 8], 0.2);
             let plan = planner::plan(None, optics.scene(), &grid, None, &run);
             let model = plan.unwrap().model;
-            let mut x = model.new_patterns().unwrap();
-            x.as_mut_slice().fill(1.0);
-            let mut dose = model.new_dose().unwrap();
-            model.dose(&x, &mut dose, &run).unwrap();
+            let dose = crate::check::dose(&model, &crate::check::even_patterns(&model, 1.0));
             let sum: f64 = dose.as_slice().iter().map(|&d| f64::from(d)).sum();
             (sum, (1.2 / spec.resin.refractive_index).powi(2))
         };

@@ -228,8 +228,7 @@ pub(crate) mod tests {
         let work = Work::new();
         let loss = |scenarios: &[&str]| {
             let task = resolved(scenarios, &[]).unwrap().task(&work).unwrap();
-            let mut dose = task.model.new_dose().unwrap();
-            task.model.dose(&task.start, &mut dose, &work).unwrap();
+            let dose = crate::check::dose(&*task.model, &task.start);
             (task.model.outputs().len(), task.objective.value(&dose))
         };
         let alone = loss(&[]);

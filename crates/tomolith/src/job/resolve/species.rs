@@ -235,6 +235,7 @@ impl ResolvedJob {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check;
     use crate::field::Field;
     use crate::job::resolve::optics::tests::key as key_of;
     use crate::job::spec::JobSpec;
@@ -315,8 +316,7 @@ mod tests {
             (task.start.len(), task.limits.len()),
             (task.model.patterns()[1].range().end, 2)
         );
-        let mut dose = task.model.new_dose().unwrap();
-        task.model.dose(&task.start, &mut dose, &run).unwrap();
+        let mut dose = check::dose(&*task.model, &task.start);
         let [soft, stiff] = task.model.outputs() else {
             panic!()
         };
@@ -349,9 +349,7 @@ mod tests {
         let dose = |changes: &[&str]| {
             let (job, run) = (resolved(changes).unwrap(), Work::new());
             let task = job.task(&run).unwrap();
-            let mut dose = task.model.new_dose().unwrap();
-            task.model.dose(&task.start, &mut dose, &run).unwrap();
-            dose.as_slice().to_vec()
+            check::dose(&*task.model, &task.start).as_slice().to_vec()
         };
         assert_eq!(
             dose(&[&light, "species=[]"]),
