@@ -5,21 +5,19 @@ use super::doubts::{of_background, of_bound};
 use crate::job::evaluate::{Evaluated, at_best_threshold, headline};
 use crate::job::optimize::Optimized;
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::acting::acting_on;
 use crate::job::resolve::refinement::moved_pixels;
+use crate::job::resolve::row_ends::RowEnds;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
-
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
-use crate::target::HorizontalFaces;
 use crate::units::counted;
-use acting::{Acting, Arcs, acting_on, coarsest_pixels};
+use acting::{Arcs, coarsest_pixels};
 use lack::Lack;
-use row_ends::RowEnds;
 
 pub(crate) mod acting;
 pub(crate) mod falling;
 pub(crate) mod lack;
-pub(crate) mod row_ends;
 pub(crate) mod time;
 
 pub use falling::Fall;
@@ -136,24 +134,8 @@ impl Asked<'_> {
                 .is_some_and(|optimized| of_background(resolved, &optimized.raw).is_some()),
             best: at_best(evaluated),
             stands: resolved.evaluated_angles() == 1 && resolved.optimizes_turning(),
-            ends: self.row_ends(s, print, &lights),
+            ends: resolved.row_ends(s, &print.fine.target.inside),
             falling: self.falling(s),
-        }
-    }
-
-    /// Horizontal faces inside rows of pixels, in level light.
-    fn row_ends(&self, s: usize, print: &SpeciesPrint, lights: &[Acting<'_>]) -> Option<RowEnds> {
-        let shape = self.resolved.species[s].shape.as_ref();
-        if shape.is_gray() || self.resolved.optics.scene().beyond_slices().is_some() {
-            return None;
-        }
-        match shape.upright_mm() {
-            Some(part_mm) => RowEnds::of_prism(part_mm, lights),
-            None => {
-                let part_mm = shape.bounds_mm().map(|corner| corner[2]);
-                let faces = HorizontalFaces::of(&print.fine.target.inside);
-                RowEnds::of(&faces, part_mm, lights)
-            }
         }
     }
 

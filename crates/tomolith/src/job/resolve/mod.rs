@@ -44,6 +44,7 @@
 //! # Ok::<(), tomolith::Error>(())
 //! ```
 
+pub(crate) mod acting;
 pub(crate) mod budget;
 pub(crate) mod card;
 pub(crate) mod cells;
@@ -67,6 +68,7 @@ pub(crate) mod reach;
 pub(crate) mod refinement;
 pub(crate) mod remarks;
 pub mod resources;
+pub(crate) mod row_ends;
 pub(crate) mod scenarios;
 pub(crate) mod schedule;
 pub(crate) mod scheduled;

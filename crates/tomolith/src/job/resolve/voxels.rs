@@ -126,6 +126,11 @@ impl ResolvedJob {
             warnings.collect::<Result<Vec<_>>>().map(|all| all.concat())
         });
         found.extend(named(&self.species, regions.collect::<Result<_>>()?));
+        let faces = voxels.iter().enumerate().map(|(s, voxels)| {
+            let warning = self.warning_of_row_ends(s, &voxels.target.inside);
+            warning.into_iter().collect()
+        });
+        found.extend(named(&self.species, faces.collect()));
         let given = self.scenarios.iter().zip(&self.spec.scenario);
         for (i, (scenario, spec)) in given.enumerate() {
             let of_voxels = self.warned(&scenario.optics, voxels);

@@ -1,6 +1,6 @@
 //! Why light leaves a part of the part without what it needs.
 
-use super::acting::Acting;
+use crate::job::resolve::acting::Acting;
 use crate::job::resolve::reach::EndedBy;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::report::number::significant;

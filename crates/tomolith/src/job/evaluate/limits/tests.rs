@@ -1,12 +1,13 @@
 //! From measurements to what limits a print.
 
-use super::acting::Acting;
 use crate::grid::PatternGrid;
 use crate::job::evaluate::limits::*;
+use crate::job::resolve::acting::Acting;
 use crate::metrics::{gray, iou};
 use crate::optics::light::Light;
 use crate::optics::resin::Resin;
 use crate::optimize::{Row, StopReason};
+use crate::target::HorizontalFaces;
 
 /// The numbers of the first example.
 fn measurements() -> Measurements {

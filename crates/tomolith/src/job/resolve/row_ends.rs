@@ -4,12 +4,54 @@
 //! is missing or too much, a share of Σ A·d/V. Light that is moved along z moves these edges, so moves within half a row are tried. Slanted surfaces lie at every height alike; what
 //! they lose is due to the size of pixels, and is left out.
 
-use super::acting::Acting;
-use crate::grid::PatternGrid;
+use super::ResolvedJob;
+use super::acting::{Acting, acting_on};
+use crate::grid::{PatternGrid, Volume};
+use crate::report::number::significant;
 use crate::target::HorizontalFaces;
 
 /// Steps of a row in which moves are tried.
 const STEPS: i32 = 64;
+
+/// Share of a part's volume between its faces and the edges of rows from which on people are told before a run.
+const WORTH_TELLING: f64 = 0.01;
+
+impl ResolvedJob {
+    /// Horizontal faces of species `s` inside rows of pixels, in level light; `inside`: the inside fractions of its voxels.
+    pub(crate) fn row_ends(&self, s: usize, inside: &Volume<f32>) -> Option<RowEnds> {
+        let shape = self.species[s].shape.as_ref();
+        if shape.is_gray() || self.optics.scene().beyond_slices().is_some() {
+            return None;
+        }
+        let lights = acting_on(self, s);
+        match shape.upright_mm() {
+            Some(part_mm) => RowEnds::of_prism(part_mm, &lights),
+            None => {
+                let part_mm = shape.bounds_mm().map(|corner| corner[2]);
+                RowEnds::of(&HorizontalFaces::of(inside), part_mm, &lights)
+            }
+        }
+    }
+
+    /// What people should know beforehand of faces inside rows of pixels: where moving the light helps.
+    pub(crate) fn warning_of_row_ends(&self, s: usize, inside: &Volume<f32>) -> Option<String> {
+        let ends = self.row_ends(s, inside)?;
+        let moved = ends.worthy_move()?;
+        let offset_mm = self.optics.lights[ends.light.0].pixels.offset_mm;
+        let percent = |share: f64| significant((1000.0 * share).round() / 10.0, 2);
+        let nanometers = |mm: f64| (mm * 1e6).round() / 1e6 + 0.0;
+        (ends.share >= WORTH_TELLING).then(|| {
+            format!(
+                "horizontal faces of the part lie inside rows of pixels, but light ends with a row: {} % of the part's volume lies between. {} = [{}, {}] leaves {} %",
+                percent(ends.share),
+                ends.move_key(),
+                significant(offset_mm[0], 4),
+                significant(nanometers(offset_mm[1] + moved), 2),
+                percent(ends.best_move.1)
+            )
+        })
+    }
+}
 
 /// Horizontal faces of a part inside rows of pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,5 +179,32 @@ impl Rows {
             (rows - rows.round()).abs() * self.pitch
         };
         areas.iter().map(|&(z, area)| area * distance(z)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::job::resolve::ResolvedJob;
+    use crate::job::tests::{FULL, job_of};
+    use crate::models::Work;
+
+    #[test]
+    fn faces_inside_rows_are_told_before_a_run_where_moving_the_light_helps() {
+        // A gear from z = −1.5 to 1.5 mm in rows of 0.05 mm
+        let warnings = |offset: &str| {
+            let set = format!("light[0].offset_mm={offset}");
+            let job = ResolvedJob::new(&job_of(FULL, &[&set])).unwrap();
+            let voxels = job.voxels(&job.grid, &Work::new()).unwrap();
+            let mut warnings = job.warnings_of(&voxels).unwrap();
+            warnings.retain(|text| text.contains("rows of pixels"));
+            warnings
+        };
+        assert_eq!(warnings("[0, 0]"), Vec::<String>::new());
+        assert_eq!(
+            warnings("[0.1, 0.01875]"),
+            [
+                "horizontal faces of the part lie inside rows of pixels, but light ends with a row: 1.5 % of the part's volume lies between. light.offset_mm = [0.1, 0] leaves 0 %"
+            ]
+        );
     }
 }
