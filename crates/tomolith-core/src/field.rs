@@ -537,8 +537,9 @@ impl Field for HostField {
             .zip(bounds.split(gradient.as_slice()))
             .zip(&bounds.blocks)
             .par_each(|(((free, x), gradient), b)| {
+                // Both sides of every comparison, as vectors do: a branch per pixel is guessed wrong
                 for ((free, &x), &g) in free.iter_mut().zip(x).zip(gradient) {
-                    let held = (x <= b.lower && g >= 0.0) || (x >= b.upper && g <= 0.0);
+                    let held = (x <= b.lower) & (g >= 0.0) | (x >= b.upper) & (g <= 0.0);
                     *free = if held { 0.0 } else { g };
                 }
             });
@@ -557,7 +558,8 @@ impl Field for HostField {
                 let gradients = before.iter().zip(after);
                 for ((change, &step), (before, after)) in change.iter_mut().zip(step).zip(gradients)
                 {
-                    *change = if step == 0.0 { 0.0 } else { after - before };
+                    let difference = after - before;
+                    *change = if step == 0.0 { 0.0 } else { difference };
                 }
             });
     }
