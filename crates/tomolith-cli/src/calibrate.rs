@@ -10,6 +10,7 @@ use tomolith::columns::{Columns, read_pairs};
 use tomolith::error::above_zero;
 use tomolith::exposure::{CALIBRATIONS, Calibration, PrinterSpec};
 use tomolith::grid::PatternGrid;
+use tomolith::io::channel::Channel;
 use tomolith::job::Job;
 use tomolith::job::export::{calibrate as of_job, draw};
 use tomolith::report::number::significant;
@@ -52,6 +53,9 @@ pub(crate) struct CalibrateArguments {
     /// Bit depth, without a job
     #[arg(long, default_value_t = 8, conflicts_with = "job")]
     bits: u32,
+    /// Channel of color images that shows the frames, without a job: red, green or blue; gray when left out
+    #[arg(long, value_parser = channel, conflicts_with = "job")]
+    channel: Option<Channel>,
     /// New folder for the frames, NAME.png each
     #[arg(long, short, value_name = "DIR", required = true)]
     output: Option<PathBuf>,
@@ -165,6 +169,9 @@ struct DiscsArguments {
     /// Highest dose
     #[arg(long)]
     to: String,
+    /// Channel of color images that shows the discs: red, green or blue; gray when left out
+    #[arg(long, value_parser = channel)]
+    channel: Option<Channel>,
     /// New folder for frames, schedule.csv and discs.csv
     #[arg(long, short, value_name = "DIR")]
     output: PathBuf,
@@ -573,6 +580,7 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
             AREAL_DOSE.parse("--to", &given.to)?,
         ],
         irradiance: IRRADIANCE.parse("--irradiance", &given.irradiance)?,
+        channel: given.channel,
     };
     print.write(&given.output)?;
     let discs = print.discs();
@@ -717,6 +725,13 @@ fn warn_of_scatter(answer: &mut Answer, fit: &DoseFit) {
     }
 }
 
+/// A channel by its name.
+fn channel(name: &str) -> Result<Channel, String> {
+    let known = Channel::ALL.into_iter();
+    let mut found = known.filter(|channel| channel.name() == name);
+    found.next().ok_or_else(|| "red, green or blue".to_owned())
+}
+
 /// Frames for setting a machine up.
 fn frames(given: &CalibrateArguments) -> Result<()> {
     let names: Vec<&str> = match given.frames.as_slice() {
@@ -738,6 +753,7 @@ fn frames(given: &CalibrateArguments) -> Result<()> {
         (None, Some(canvas)) => {
             let spec = PrinterSpec {
                 canvas: Some([canvas[0], canvas[1]]),
+                channel: given.channel,
                 ..PrinterSpec::default()
             };
             spec.ranges()?;
@@ -749,7 +765,7 @@ fn frames(given: &CalibrateArguments) -> Result<()> {
                     found,
                     accepted,
                     ..
-                } if key == "bit_depth" => Error::config("--bits", found, accepted),
+                } if key.ends_with("bit_depth") => Error::config("--bits", found, accepted),
                 other => other,
             })?;
             draw(&calibration, &names, output)?

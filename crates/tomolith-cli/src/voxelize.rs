@@ -388,6 +388,7 @@ fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
         grid: &sheet,
         bits: 8,
         full_scale: 1.0,
+        channel: None,
         values: &levels,
     };
     write_picture(path, &set)

@@ -1,4 +1,4 @@
-//! Frames as gray PNG files, `frames/frame_0000.png` and so on.
+//! Frames as PNG files, `frames/frame_0000.png` and so on: gray, or RGB with their levels in one [channel](super::channel).
 //!
 //! Up to 8 bits are stored in 8-bit files, more in 16-bit files. A level q of b bits is stored on the file's own scale,
 //! v = q·(2^c − 1)/(2^b − 1) rounded half up (c = 8 or 16), so that white is the full scale in any viewer; q comes back
@@ -6,8 +6,8 @@
 //! mJ/mm², as the shortest text that reads back exactly), `tomolith:azimuth_rad` and `tomolith:pitch_mm`.
 //! Row 0 of the image is the top (+z), columns grow along (−sin α, cos α, 0).
 //!
-//! Frames of other programs may be stored as RGB or with a palette, where all colors are gray, and with opacity, which does
-//! not count. Their names are numbered in any way: `1.png` to `12.png`, `01.png` to `12.png`.
+//! Frames of other programs may be stored as RGB or with a palette, where all colors are gray or the light is in one
+//! channel, and with opacity, which does not count. Their names are numbered in any way: `1.png` to `12.png`, `01.png` to `12.png`.
 //!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
 //!
@@ -16,15 +16,16 @@
 //! use tomolith_core::grid::PatternGrid;
 //! use tomolith_io::frames::{FrameSet, read_frames, write_frames};
 //! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
-//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, channel: None, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let frames = folder.path().join("frames");
 //! write_frames(&frames, &[set], &Work::new()).unwrap();
-//! let read = read_frames(&frames).unwrap();
+//! let read = read_frames(&frames, None).unwrap();
 //! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
 //! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
 //! ```
 
+use super::channel::{Channel, Lit, gray_of};
 use super::image::png_samples;
 use super::series::numbered_files;
 use super::whole::{Refused, write_folder_whole, write_whole};
@@ -64,6 +65,8 @@ pub struct FrameSet<'a> {
     pub bits: u32,
     /// The pattern value of the highest level, mJ/mm².
     pub full_scale: f32,
+    /// The channel of color images that shows the levels; images are gray without.
+    pub channel: Option<Channel>,
     /// Levels 0…2^bits − 1, `[angle, row, column]`.
     pub values: &'a [u16],
 }
@@ -100,6 +103,7 @@ impl<'a> FrameSet<'a> {
             grid,
             bits,
             full_scale: 1.0,
+            channel: None,
             values,
         }
     }
@@ -164,7 +168,10 @@ pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std:
     let grid = set.grid;
     let wide = set.bits > 8;
     let mut encoder = png::Encoder::new(file, grid.columns as u32, grid.rows as u32);
-    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_color(match set.channel {
+        Some(_) => png::ColorType::Rgb,
+        None => png::ColorType::Grayscale,
+    });
     encoder.set_depth(if wide {
         png::BitDepth::Sixteen
     } else {
@@ -184,26 +191,32 @@ pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std:
         encoder.add_text_chunk(format!("tomolith:{key}"), text)?;
     }
     let mut writer = encoder.write_header()?;
+    let levels = set.levels(frame, if wide { 16 } else { 8 });
+    let numbers: Vec<u16> = match set.channel {
+        Some(channel) => levels.flat_map(|level| channel.color(level)).collect(),
+        None => levels.collect(),
+    };
     let bytes: Vec<u8> = if wide {
-        set.levels(frame, 16).flat_map(u16::to_be_bytes).collect()
+        numbers.into_iter().flat_map(u16::to_be_bytes).collect()
     } else {
-        set.levels(frame, 8).map(|v| v as u8).collect()
+        numbers.into_iter().map(|v| v as u8).collect()
     };
     writer.write_image_data(&bytes)?;
     writer.finish()?;
     Ok(())
 }
 
-/// Reads the frames of one light: all `*.png` of a folder, in the order of [their numbers](super::series).
+/// Reads the frames of one light: all `*.png` of a folder, in the order of [their numbers](super::series). Of colored ones it
+/// takes `channel`, else the only one that is lit.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when there is no frame, their order is in doubt, or a file is no PNG whose pixels are gray, of the same size,
-/// depth and scale as the first one.
-pub fn read_frames(folder: &Path) -> Result<Frames> {
+/// [`Error::Io`]; [`Error::Format`] when there is no frame, their order is in doubt, a file is no PNG of the same size, depth and
+/// scale as the first one, or nothing says which channel of its light counts.
+pub fn read_frames(folder: &Path, channel: Option<Channel>) -> Result<Frames> {
     let paths = numbered_files(folder, "*", &["png"])?;
     let images: Vec<Image> = paths
         .iter()
-        .par_map(|path| read_frame(path))
+        .par_map(|path| read_frame(path, channel))
         .into_iter()
         .collect::<Result<_>>()?;
     if images.is_empty() {
@@ -223,6 +236,7 @@ pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> 
         );
         return Err(format_error(&place(odd), &found));
     }
+    one_light(&images).map_err(|(odd, found)| format_error(&place(odd), &found))?;
     let ([rows, columns], bits, full_scale) = first;
     Ok(Frames {
         shape: [images.len(), rows, columns],
@@ -232,11 +246,30 @@ pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> 
     })
 }
 
+/// Refuses frames with light in different channels, and frames with none in the channel that was told.
+fn one_light(images: &[Image]) -> Result<(), (usize, String)> {
+    let lights = || {
+        images
+            .iter()
+            .enumerate()
+            .filter_map(|(i, image)| Some((i, image.lit?)))
+    };
+    let counts = |(_, lit): &(usize, Lit)| !matches!(lit, Lit::Without(_));
+    match (lights().find(counts), lights().next()) {
+        (Some((_, first)), _) => match lights().filter(counts).find(|(_, lit)| *lit != first) {
+            Some((odd, lit)) => Err((odd, format!("{lit}; the first lit frame has {first}"))),
+            None => Ok(()),
+        },
+        (None, Some((without, lit))) => Err((without, lit.to_string())),
+        (None, None) => Ok(()),
+    }
+}
+
 fn format_error(path: &Path, found: &str) -> Error {
     Error::format(
         path,
         found,
-        "gray PNG frames of one size and bit depth (RGB and palettes too, if all colors are gray)",
+        "PNG frames of one size and bit depth, gray or with light in one channel; of several, the one that printer.channel names",
     )
 }
 
@@ -245,6 +278,7 @@ pub(super) struct Image {
     size: [usize; 2],
     bits: u32,
     full_scale: Option<f32>,
+    lit: Option<Lit>,
     values: Vec<u16>,
 }
 
@@ -264,9 +298,9 @@ impl Image {
     }
 }
 
-fn read_frame(path: &Path) -> Result<Image> {
+fn read_frame(path: &Path, channel: Option<Channel>) -> Result<Image> {
     let file = open_regular(path)?;
-    decode(BufReader::new(file)).map_err(|trouble| match trouble {
+    decode(BufReader::new(file), channel).map_err(|trouble| match trouble {
         Trouble::Io(source) => Error::io(path, source),
         Trouble::Said(found) => format_error(path, &found),
     })
@@ -287,8 +321,11 @@ impl From<png::DecodingError> for Trouble {
     }
 }
 
-/// A PNG file as a frame: gray, or stored as colors that are all gray; opacity does not count.
-pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
+/// A PNG file as a frame.
+pub(super) fn decode(
+    file: impl BufRead + Seek,
+    channel: Option<Channel>,
+) -> Result<Image, Trouble> {
     let mut decoder = png::Decoder::new(file);
     // Palettes become colors, and fewer than 8 bits become 8
     decoder.set_transformations(png::Transformations::EXPAND);
@@ -302,18 +339,12 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
     let (shape, samples) = png_samples(&mut reader)?;
     reader.finish()?;
     let depth = shape.bit_depth as u32;
-    let colors = match shape.color_type {
-        png::ColorType::Rgb | png::ColorType::Rgba => 3,
-        _ => 1,
-    };
-    let pixels = samples.chunks_exact(shape.color_type.samples());
-    let is_colored = |pixel: &&[u16]| pixel[..colors].iter().any(|v| *v != pixel[0]);
-    if let Some(at) = pixels.clone().position(|pixel| is_colored(&pixel)) {
-        let (row, column) = (at / shape.width as usize, at % shape.width as usize);
-        let found = format!("a colored pixel in row {row}, column {column}");
-        return Err(Trouble::Said(found));
-    }
-    let values: Vec<u16> = pixels.map(|pixel| pixel[0]).collect();
+    let (values, lit) =
+        gray_of(&samples, shape.color_type.samples(), channel).map_err(|(channels, at)| {
+            let (row, column) = (at / shape.width as usize, at % shape.width as usize);
+            let place = format!("the first colored pixel is in row {row}, column {column}");
+            Trouble::Said(format!("light in {channels} ({place})"))
+        })?;
     let text = |key: &str| {
         reader
             .info()
@@ -332,6 +363,7 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
         full_scale: text("full_scale")
             .and_then(|t| t.parse().ok())
             .filter(|s: &f32| s.is_finite() && *s >= 0.0),
+        lit,
         values: values
             .into_iter()
             .map(|v| rescale(v, depth, bits))
@@ -362,12 +394,87 @@ mod tests {
             };
             let place = folder.path().join("frames");
             write_frames(&place, &[set], &Work::new()).unwrap();
-            let read = read_frames(&place).unwrap();
+            let read = read_frames(&place, None).unwrap();
             assert_eq!(read.shape, [11, 7, 9]);
             assert_eq!((read.bits, read.full_scale), (bits, Some(0.1234)));
             assert_eq!(read.values, values, "{bits} bits");
             assert!(place.join("frame_0010.png").is_file());
         }
+    }
+
+    /// The numbers of a written frame, and how they are stored.
+    fn stored(path: &Path) -> (png::ColorType, png::BitDepth, Vec<u8>) {
+        let file = BufReader::new(File::open(path).unwrap());
+        let mut reader = png::Decoder::new(file).read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let shape = reader.next_frame(&mut bytes).unwrap();
+        (shape.color_type, shape.bit_depth, bytes)
+    }
+
+    #[test]
+    fn a_channel_holds_the_levels_and_the_others_are_black() {
+        let folder = tempfile::tempdir().unwrap();
+        let (gray, colored) = (folder.path().join("gray"), folder.path().join("colored"));
+        for bits in [1, 8] {
+            let (grid, mut values) = waves(bits);
+            values[..7 * 9].fill(0); // a dark frame has no channel
+            let set = FrameSet::of(&grid, bits, &values);
+            write_frames(&gray, &[set], &Work::new()).unwrap();
+            let (kind, depth, levels) = stored(&gray.join("frame_0003.png"));
+            assert_eq!(
+                (kind, depth),
+                (png::ColorType::Grayscale, png::BitDepth::Eight)
+            );
+            for (place, channel) in Channel::ALL.into_iter().enumerate() {
+                let channel = Some(channel);
+                let set = FrameSet { channel, ..set };
+                write_frames(&colored, &[set], &Work::new()).unwrap();
+                let (kind, depth, numbers) = stored(&colored.join("frame_0003.png"));
+                assert_eq!((kind, depth), (png::ColorType::Rgb, png::BitDepth::Eight));
+                for (pixel, level) in numbers.chunks(3).zip(&levels) {
+                    let mut expected = [0; 3];
+                    expected[place] = *level;
+                    assert_eq!(pixel, expected);
+                }
+                let frames = read_frames(&gray, None).unwrap();
+                assert_eq!(frames.values, values);
+                for told in [None, channel] {
+                    assert_eq!(read_frames(&colored, told).unwrap(), frames);
+                    assert_eq!(read_frames(&gray, told).unwrap(), frames);
+                }
+                let other = Channel::ALL[(place + 1) % 3];
+                let text = read_frames(&colored, Some(other)).unwrap_err().to_string();
+                let found = format!("light, but none of it {}", other.name());
+                tomolith_core::contains!(text, "frame_0001.png", found, "printer.channel");
+            }
+        }
+    }
+
+    #[test]
+    fn of_light_in_several_channels_the_one_that_is_told_counts() {
+        let folder = tempfile::tempdir().unwrap();
+        let save = |name: &str, pixels: [[u8; 3]; 2]| {
+            let file = File::create(folder.path().join(name)).unwrap();
+            let mut encoder = png::Encoder::new(file, 2, 1);
+            encoder.set_color(png::ColorType::Rgb);
+            let mut writer = encoder.write_header().unwrap();
+            writer.write_image_data(pixels.as_flattened()).unwrap();
+        };
+        let read = |told| read_frames(folder.path(), told).map(|frames| frames.values);
+        let refused = || read(None).unwrap_err().to_string();
+        save("1.png", [[0, 0, 0], [9, 0, 5]]);
+        save("2.png", [[0, 0, 7], [0, 0, 0]]);
+        let place = "1.png: light in red and blue (the first colored pixel is in row 0, column 1)";
+        tomolith_core::contains!(refused(), place, "accepted: PNG frames");
+        assert_eq!(read(Some(Channel::Red)).unwrap(), [0, 9, 0, 0]);
+        assert_eq!(read(Some(Channel::Blue)).unwrap(), [0, 5, 7, 0]);
+        // One channel in each, but not the same
+        save("1.png", [[0, 0, 0], [9, 0, 0]]);
+        let found = "2.png: blue light; the first lit frame has red light";
+        tomolith_core::contains!(refused(), found);
+        save("2.png", [[7, 7, 7], [0, 0, 0]]);
+        tomolith_core::contains!(refused(), "2.png: gray light");
+        assert_eq!(read(Some(Channel::Red)).unwrap(), [0, 9, 7, 0]);
     }
 
     #[test]
@@ -381,9 +488,12 @@ mod tests {
             ..FrameSet::of(&grid, 8, &values)
         });
         write_frames(&place, &lights, &Work::new()).unwrap();
-        let uv = read_frames(&place.join("uv")).unwrap();
+        let uv = read_frames(&place.join("uv"), None).unwrap();
         assert_eq!(uv.full_scale, Some(3.0));
-        assert_eq!(read_frames(&place.join("blue")).unwrap().values, values);
+        assert_eq!(
+            read_frames(&place.join("blue"), None).unwrap().values,
+            values
+        );
     }
 
     #[test]
@@ -399,14 +509,17 @@ mod tests {
         let third = place.join("frame_0003.png");
         let bytes = fs::read(&third).unwrap();
         fs::write(&third, &bytes[..bytes.len() / 2]).unwrap();
-        let text = read_frames(&place).unwrap_err().to_string();
+        let text = read_frames(&place, None).unwrap_err().to_string();
         assert!(text.contains("frame_0003.png"), "{text}");
         fs::copy(write("other", 12).join("frame_0003.png"), &third).unwrap();
-        let text = read_frames(&place).unwrap_err().to_string();
+        let text = read_frames(&place, None).unwrap_err().to_string();
         tomolith_core::contains!(text, "frame_0003.png", "12 bits");
         let empty = folder.path().join("empty");
         fs::create_dir(&empty).unwrap();
-        assert!(matches!(read_frames(&empty), Err(Error::Format { .. })));
+        assert!(matches!(
+            read_frames(&empty, None),
+            Err(Error::Format { .. })
+        ));
     }
 
     #[test]

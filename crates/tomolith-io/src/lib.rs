@@ -4,6 +4,7 @@
 //! writer goes through [`whole`]. Every reader opens its file through [`open_regular`].
 
 pub mod array;
+pub mod channel;
 pub mod csr;
 pub mod csv;
 pub mod frames;

@@ -7,7 +7,8 @@
 //! | any other MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF, APNG or Y4M: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
 //!
 //! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
-//! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
+//! it where the stream says nothing else. Of a colored movie the [channel](super::channel) that is asked for is taken, by `ffmpeg`
+//! but for PNG frames; without, PNG frames alone may be colored, as their levels say which channel is lit. A movie has as many frames as the job, each of the job's
 //! size or padded as H.264 needs it ([`padded`]); padding is cut off.
 //!
 //! ```
@@ -16,12 +17,12 @@
 //! use tomolith_io::movie::{check_lossless, read_movie, write_lossless};
 //! let grid = PatternGrid::full_turn(4, 0.0, 3, 5, 0.02);
 //! let values: Vec<u16> = (0..grid.len()).map(|i| i as u16 * 68).collect();
-//! let set = FrameSet { light: None, grid: &grid, bits: 12, full_scale: 0.3, values: &values };
+//! let set = FrameSet { light: None, grid: &grid, bits: 12, full_scale: 0.3, channel: None, values: &values };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("part_10rpm.mov");
 //! write_lossless(&path, &set, 24.0).unwrap();
 //! assert_eq!(check_lossless(&path, &set).unwrap().largest_error, 0);
-//! let read = read_movie(&path, [4, 3, 5]).unwrap();
+//! let read = read_movie(&path, [4, 3, 5], None).unwrap();
 //! assert_eq!((read.bits, read.full_scale, read.values), (12, Some(0.3), values));
 //! ```
 
@@ -32,6 +33,7 @@ mod lossless;
 mod tests;
 pub(super) mod track;
 
+use super::channel::Channel;
 use super::frames::Frames;
 use super::mp4::padded;
 use h264::Stream;
@@ -54,18 +56,18 @@ pub fn is_movie(path: &Path) -> bool {
     ENDINGS.iter().any(|known| ending == **known)
 }
 
-/// Reads the levels of a movie of this shape, `[frame, row, column]`; see the [module page](self).
+/// Reads the levels of a movie of this shape, `[frame, row, column]`, of a colored one in this channel; see the [module page](self).
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when the file is no movie, is damaged, has another number or size of frames, or can be
+/// [`Error::Io`]; [`Error::Format`] when the file is no movie, is damaged, has another number or size of frames, is colored where no channel is asked for, or can be
 /// read by `ffmpeg` alone and there is none.
-pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
+pub fn read_movie(path: &Path, shape: [usize; 3], channel: Option<Channel>) -> Result<Frames> {
     let file = read_regular(path)?;
     let what = if is_mp4(&file) {
         if let Some(missing) = track::missing(&file) {
             return Err(damaged(path, missing));
         }
-        match read_built_in(&file, path, shape)? {
+        match read_built_in(&file, path, shape, channel)? {
             Ok(frames) => return Ok(frames),
             Err(what) => what,
         }
@@ -77,7 +79,7 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
         (*what).to_owned()
     };
     drop(file);
-    ffmpeg::read(path, shape).map_err(|trouble| match trouble {
+    ffmpeg::read(path, shape, channel).map_err(|trouble| match trouble {
         ffmpeg::Trouble::Said(found) => damaged(path, format!("{what}: {found}")),
         ffmpeg::Trouble::Missing => Error::format(path, format!(
                 "{what}, which the program ffmpeg can read, but it is not installed (not on the PATH)"
@@ -95,6 +97,7 @@ fn read_built_in(
     file: &[u8],
     path: &Path,
     [frames, rows, columns]: [usize; 3],
+    channel: Option<Channel>,
 ) -> Result<Result<Frames, String>> {
     let other = |what: &str| Ok(Err(what.to_owned()));
     let Some(track) = Track::find(file) else {
@@ -108,7 +111,7 @@ fn read_built_in(
         return Err(damaged(path, format!("{count} frames instead of {frames}")));
     }
     match &track.codec {
-        Codec::Png => lossless::read(&track, path, [rows, columns]).map(Ok),
+        Codec::Png => lossless::read(&track, path, [rows, columns], channel).map(Ok),
         Codec::Other(letters) => Ok(Err(named(*letters))),
         Codec::H264 { .. } => {
             let Some(stream) = Stream::of(&track) else {
@@ -119,6 +122,7 @@ fn read_built_in(
                 return Ok(Err(what));
             }
             match h264::luma(&track, &stream, [rows, columns]) {
+                Ok((_, Some(_))) if channel.is_some() => other("colored H.264"),
                 Ok((_, Some(frame))) => Err(damaged(path, colored(frame))),
                 Ok((values, None)) => Ok(Ok(Frames {
                     shape: [frames, rows, columns],
@@ -151,7 +155,9 @@ const CODING: u8 = 16;
 
 /// What is wrong with a movie whose frame is colored.
 fn colored(frame: usize) -> String {
-    format!("a colored picture in frame {frame}, where patterns are gray")
+    format!(
+        "a colored picture in frame {frame}, and no printer.channel that says which color counts"
+    )
 }
 
 /// A codec by its four letters (mp4ra.org).

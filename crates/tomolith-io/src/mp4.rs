@@ -30,7 +30,7 @@
 //! use tomolith_io::mp4::{check_movie, write_movie};
 //! let grid = PatternGrid::full_turn(4, 0.0, 30, 31, 0.02);
 //! let values: Vec<u16> = (0..grid.len()).map(|i| (i % 31 * 8) as u16).collect(); // a ramp from left to right
-//! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
+//! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, channel: None, values: &values };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("ramp_12rpm.mp4");
 //! write_movie(&path, &set, 60.0, &Work::new()).unwrap();
@@ -327,12 +327,12 @@ mod tests {
         let path = folder.path().join("m.mp4");
         let set = FrameSet::of(&grid, 8, &values);
         write_movie(&path, &set, 30.0, &Work::new()).unwrap();
-        let read = read_movie(&path, [20, 17, 33]).unwrap();
+        let read = read_movie(&path, [20, 17, 33], None).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);
         for (found, expected) in read.values.iter().zip(&values) {
             assert!(found.abs_diff(*expected) <= 4, "{found} {expected}");
         }
-        assert!(read_movie(&path, [20, 17, 40]).is_err());
+        assert!(read_movie(&path, [20, 17, 40], None).is_err());
     }
 
     #[test]

@@ -17,7 +17,7 @@
 //! use tomolith_io::frames::FrameSet;
 //! use tomolith_io::stack::{read_stack, write_stack};
 //! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
-//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, channel: None, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("frames.npz");
 //! write_stack(&path, &[set], &Work::new()).unwrap();

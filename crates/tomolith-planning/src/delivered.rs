@@ -28,7 +28,7 @@ pub struct ShownFrames {
 }
 
 impl ShownFrames {
-    /// The frames of a folder on a machine with this gray curve and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
+    /// The frames of a folder on a machine with this gray curve, channel and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
     ///
     /// # Errors
     /// As [`read_frames`] and [`Printer::new`].
@@ -43,7 +43,7 @@ impl ShownFrames {
             bits,
             full_scale,
             values,
-        } = read_frames(folder)?;
+        } = read_frames(folder, machine.channel)?;
         let grid = PatternGrid {
             azimuths: vec![0.0],
             frame_arc: 0.0,

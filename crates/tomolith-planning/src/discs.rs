@@ -31,6 +31,7 @@ use tomolith_core::grid::PatternGrid;
 use tomolith_core::least_squares::minimize;
 use tomolith_core::units::concise;
 use tomolith_core::work::Work;
+use tomolith_io::channel::Channel;
 use tomolith_io::frames::{FrameSet, write_frames};
 use tomolith_io::{must_be_free, write_folder_whole};
 use tomolith_report::plot::{Axis, Plot};
@@ -51,6 +52,8 @@ pub struct Discs {
     pub doses: [f64; 2],
     /// Irradiance at white, mW/cm².
     pub irradiance: f64,
+    /// The channel of color images that shows the discs; gray without.
+    pub channel: Option<Channel>,
 }
 
 /// A disc.
@@ -194,6 +197,7 @@ impl Discs {
                 grid: &grid,
                 bits: 8,
                 full_scale: 1.0,
+                channel: self.channel,
                 values: &values,
             };
             write_frames(&aside.join("frames"), &[set], &Work::new())?;

@@ -8,7 +8,7 @@ use tomolith::io::npy::{read_patterns, read_volume};
 
 impl Bench {
     /// What the light of the simulated patterns is.
-    fn shown(&self, folder: &str) -> Vec<f32> {
+    pub(crate) fn shown(&self, folder: &str) -> Vec<f32> {
         let mut arrays = read_patterns(&self.path(folder).join("patterns.npz")).unwrap();
         arrays.remove(0).shown
     }
@@ -144,7 +144,7 @@ fn gray_frames_may_be_stored_in_color() {
     let shown = bench.shown("a");
     assert!((shown[5 * 512 + 100] - 55.0 / 255.0).abs() < 1e-6);
     save(7, 1);
-    bench.refuse(line, &["07.png: a colored pixel in row 0, column 0"]);
+    bench.refuse(line, &["07.png: light in red and green and blue (the first colored pixel is in row 0, column 0)"]);
 }
 
 #[test]

@@ -238,7 +238,12 @@ fn fits(dose: &[f64]) -> [f64; 8] {
 
 /// The movie of a folder, decoded.
 fn movie(folder: &Path, [columns, rows]: [usize; 2]) -> Vec<Picture> {
-    let read = read_movie(&folder.join("chiral_10rpm.mp4"), [FRAMES, rows, columns]).unwrap();
+    let read = read_movie(
+        &folder.join("chiral_10rpm.mp4"),
+        [FRAMES, rows, columns],
+        None,
+    )
+    .unwrap();
     let picture = |levels: &[u16]| {
         Picture::from(rows, columns, |row, column| {
             f64::from(levels[row * columns + column])
@@ -420,6 +425,107 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         "simulate job.toml --patterns everything/frames --output no",
         &["expected shape [60, 24, 44]"],
     );
+}
+
+#[test]
+fn frames_in_one_color_print_what_gray_frames_print() {
+    let bench = bench();
+    let gray = frames(&bench.export("stack = true", "gray"));
+    let folder = bench.export("stack = true\nchannel = \"blue\"", "blue");
+    for (k, gray) in gray.iter().enumerate() {
+        let file = File::open(folder.join(format!("frames/frame_{k:04}.png"))).unwrap();
+        let mut reader = png::Decoder::new(BufReader::new(file)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let shape = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(shape.color_type, png::ColorType::Rgb);
+        assert_eq!(shape.bit_depth, png::BitDepth::Eight);
+        for (pixel, level) in pixels.chunks(3).zip(&gray.values) {
+            assert_eq!(pixel, [0, 0, *level as u8]);
+        }
+    }
+    assert!(!folder.join("chiral_10rpm.mp4").exists());
+    let simulated = |patterns: &str, machine: &str| {
+        bench.done(&format!(
+            "simulate job.toml --quiet --patterns {patterns} --output again --overwrite {machine}"
+        ));
+        (
+            bench.shown("again"),
+            bench.report("again")["evaluation"].clone(),
+        )
+    };
+    let expected = simulated("gray/frames", "");
+    for patterns in [
+        "blue/frames",
+        "blue/chiral_10rpm.mov",
+        "blue/frames.npz",
+        "blue",
+    ] {
+        for machine in ["", "--set printer.channel=blue"] {
+            let found = simulated(patterns, machine);
+            assert!(found == expected, "{patterns} {machine}");
+        }
+    }
+    assert!(simulated("gray/frames", "--set printer.channel=green") == expected);
+    bench.refuse(
+        "simulate job.toml --patterns blue/frames --output no --set printer.channel=red",
+        &["blue/frames/frame_0000.png: light, but none of it red"],
+    );
+    for line in ["check job.toml", "export run --output no"] {
+        bench.refuse(
+            &format!("{line} --set printer.channel=violet"),
+            &["printer.channel: ", "violet", "red", "green", "blue"],
+        );
+        bench.refuse(
+            &format!("{line} --set printer.channel=blue --set evaluate.bit_depth=12"),
+            &["evaluate.bit_depth: 12 bits together with printer.channel = \"blue\""],
+        );
+    }
+}
+
+#[test]
+fn calibration_frames_shine_in_the_channel_of_the_machine() {
+    let bench = Bench::with(&[
+        ("job.toml", JOB),
+        (
+            "blue.toml",
+            &format!("{JOB}[printer]\nchannel = \"blue\"\n"),
+        ),
+    ]);
+    bench.done("calibrate --job job.toml gray_steps --output gray");
+    bench.done("calibrate --job blue.toml gray_steps --output of_job");
+    let colored = |name: &str| {
+        let file = File::open(bench.path(name)).unwrap();
+        let mut reader = png::Decoder::new(BufReader::new(file)).read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let shape = reader.next_frame(&mut bytes).unwrap();
+        (shape.color_type.samples(), bytes)
+    };
+    let (samples, gray) = colored("gray/gray_steps.png");
+    assert_eq!(samples, 1);
+    let in_place = |place: usize| -> Vec<u8> {
+        let color = |level: &u8| {
+            (0..3)
+                .map(|i| if i == place { *level } else { 0 })
+                .collect()
+        };
+        gray.iter().flat_map::<Vec<u8>, _>(color).collect()
+    };
+    assert_eq!(colored("of_job/gray_steps.png"), (3, in_place(2)));
+    let canvas = "--canvas 44 24 --channel";
+    bench.done(&format!(
+        "calibrate {canvas} green gray_steps --output of_canvas"
+    ));
+    assert_eq!(colored("of_canvas/gray_steps.png"), (3, in_place(1)));
+    bench.refuse(
+        &format!("calibrate {canvas} red --bits 12 --output no"),
+        &["--bits: 12 bits"],
+    );
+    let discs =
+        "calibrate discs --canvas 80 80 --pixel-pitch-mm 0.1 --irradiance 25 --from 20 --to 400";
+    bench.done(&format!("{discs} --channel red --output discs"));
+    let (samples, pixels) = colored("discs/frames/frame_0000.png");
+    assert_eq!((samples, pixels.iter().max()), (3, Some(&255)));
+    assert!(pixels.chunks(3).all(|pixel| pixel[1..] == [0, 0]));
 }
 
 #[test]

@@ -3,9 +3,11 @@
 //! A PGM image states its size and largest value, so nothing need be known of the movie before; `ffmpeg` picks 8 or 16 bits by
 //! what the movie holds. Every frame is taken once, whatever its time. Whatever `ffmpeg` reports as an error is one here: a
 //! frame that it patched would be a wrong pattern. Its filter `signalstats` says whether a picture is colored, of which gray
-//! images would show the luma alone; an `ffmpeg` without that filter does not say.
+//! images would show the luma alone; an `ffmpeg` without that filter does not say. Of colored pictures its filter
+//! `extractplanes` takes the channel that is asked for.
 
 use super::{CODING, GRAY, must_fit};
+use crate::channel::Channel;
 use crate::frames::Frames;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
@@ -20,9 +22,19 @@ pub(super) enum Trouble {
     Said(String),
 }
 
-/// The frames of a movie of this shape `[frames, rows, columns]`.
-pub(super) fn read(path: &Path, shape: [usize; 3]) -> Result<Frames, Trouble> {
-    let mut child = start(path)?;
+/// The frames of a movie of this shape `[frames, rows, columns]`; of colored ones this channel.
+pub(super) fn read(
+    path: &Path,
+    shape: [usize; 3],
+    channel: Option<Channel>,
+) -> Result<Frames, Trouble> {
+    let colored = colored(path);
+    let plane = match (colored, channel) {
+        (Some(frame), None) => return Err(Trouble::Said(super::colored(frame))),
+        (Some(_), Some(channel)) => Some(channel),
+        (None, _) => None,
+    };
+    let mut child = start(path, plane)?;
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
     let (read, complaint) = std::thread::scope(|scope| {
         let complaint = scope.spawn(|| {
@@ -64,10 +76,7 @@ pub(super) fn read(path: &Path, shape: [usize; 3]) -> Result<Frames, Trouble> {
             shape[0]
         )));
     }
-    match colored(path) {
-        Some(frame) => Err(Trouble::Said(super::colored(frame))),
-        None => Ok(frames),
-    }
+    Ok(frames)
 }
 
 /// `ffmpeg` before what it is to do with a movie. A rate for the input gives frames even times and lengths.
@@ -112,11 +121,17 @@ fn colored(path: &Path) -> Option<usize> {
     None
 }
 
-fn start(path: &Path) -> Result<Child, Trouble> {
+fn start(path: &Path, plane: Option<Channel>) -> Result<Child, Trouble> {
+    let plane = plane.map_or("", |channel| match channel {
+        Channel::Red => ",format=gbrp|gbrp16,extractplanes=r",
+        Channel::Green => ",format=gbrp|gbrp16,extractplanes=g",
+        Channel::Blue => ",format=gbrp|gbrp16,extractplanes=b",
+    });
+    let filters = format!("settb=1/25,setpts=N{plane}");
     command(path)
         // The rate of the input and these times together: either alone has versions of ffmpeg that drop or double frames
         // (4.2, 9.0), and the option that forbids it has a name before version 5.1 and another since
-        .args(["-map", "0:v:0", "-vf", "settb=1/25,setpts=N", "-r", "25"])
+        .args(["-map", "0:v:0", "-vf", &filters, "-r", "25"])
         .args(["-f", "image2pipe", "-c:v", "pgm", "-"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

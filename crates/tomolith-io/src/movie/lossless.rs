@@ -6,6 +6,7 @@
 
 use super::track::{Codec, Track};
 use super::{damaged, must_fit};
+use crate::channel::Channel;
 use crate::frames::{FrameSet, Frames, Trouble, decode, encode, together};
 use crate::mp4::MovieCheck;
 use crate::whole::write_whole;
@@ -145,10 +146,15 @@ fn index([columns, rows]: [u16; 2], starts: &[f64], sizes: &[u32], first: u64) -
 }
 
 /// The frames of a track of PNG files.
-pub(super) fn read(track: &Track<'_>, path: &Path, size: [usize; 2]) -> Result<Frames> {
+pub(super) fn read(
+    track: &Track<'_>,
+    path: &Path,
+    size: [usize; 2],
+    channel: Option<Channel>,
+) -> Result<Frames> {
     let images = (track.samples.iter().enumerate())
         .par_map(|(i, sample)| {
-            decode(Cursor::new(sample)).map_err(|trouble| match trouble {
+            decode(Cursor::new(sample), channel).map_err(|trouble| match trouble {
                 Trouble::Io(source) => Error::io(path, source),
                 Trouble::Said(found) => damaged(path, format!("frame {i}: {found}")),
             })
@@ -169,7 +175,7 @@ pub fn check_lossless(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
     let track = Track::find(&file).filter(|track| track.codec == Codec::Png);
     let track = track.ok_or_else(|| damaged(path, "no track of PNG frames".to_owned()))?;
     let [count, rows, columns] = set.grid.shape();
-    let found = read(&track, path, [rows, columns])?;
+    let found = read(&track, path, [rows, columns], set.channel)?;
     if found.shape[0] != count || found.bits != set.bits || found.values != set.values {
         let found = "frames that are not those that were written".to_owned();
         return Err(damaged(path, found));

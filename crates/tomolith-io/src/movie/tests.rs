@@ -3,6 +3,7 @@
 //! frames per second, by 7.0. `colored.avi`: mjpeg of the test source, whose frames are colored.
 
 use super::*;
+use crate::channel::Channel;
 use crate::frames::FrameSet;
 use std::path::PathBuf;
 use tomolith_core::grid::PatternGrid;
@@ -31,15 +32,22 @@ fn error(read: &Frames) -> u16 {
     errors.max().unwrap_or(u16::MAX)
 }
 
+fn has_ffmpeg() -> bool {
+    let version = std::process::Command::new("ffmpeg")
+        .arg("-version")
+        .output();
+    version.is_ok()
+}
+
 fn refused(path: &Path, shape: [usize; 3]) -> String {
-    read_movie(path, shape).unwrap_err().to_string()
+    read_movie(path, shape, None).unwrap_err().to_string()
 }
 
 #[test]
 fn movies_without_b_frames_are_read_with_their_limited_range() {
     // Frames that follow from the frame before; rows that are cropped from 32 to 24; black 16 and white 235
     for name in ["baseline.mp4", "high.mp4"] {
-        let read = read_movie(&sample(name), SHAPE).unwrap();
+        let read = read_movie(&sample(name), SHAPE, None).unwrap();
         assert_eq!((read.shape, read.bits), (SHAPE, 8));
         assert!(error(&read) <= 3, "{name}: {}", error(&read));
     }
@@ -56,10 +64,6 @@ fn movies_without_b_frames_are_read_with_their_limited_range() {
 
 #[test]
 fn other_movies_are_read_by_ffmpeg_or_named() {
-    let has_ffmpeg = std::process::Command::new("ffmpeg")
-        .arg("-version")
-        .output()
-        .is_ok();
     for (name, what) in [
         ("b_frames.mp4", "H.264 High, with B-frames"),
         (
@@ -76,7 +80,7 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
         } else {
             SHAPE
         };
-        match (has_ffmpeg, read_movie(&sample(name), shape)) {
+        match (has_ffmpeg(), read_movie(&sample(name), shape, None)) {
             (true, read) => {
                 let read = read.unwrap();
                 assert!(error(&read) <= 3, "{name}: {}", error(&read));
@@ -101,16 +105,32 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
 #[test]
 fn a_colored_movie_is_refused() {
     let text = refused(&sample("colored.mp4"), SHAPE);
-    tomolith_core::contains!(
-        text,
-        "a colored picture in frame 0, where patterns are gray"
-    );
+    tomolith_core::contains!(text, "a colored picture in frame 0", "printer.channel");
     let text = refused(&sample("colored.avi"), SHAPE);
     let parts = [
         "a colored picture in frame 0",
         "which the program ffmpeg can read",
     ];
     assert!(parts.iter().any(|part| text.contains(part)), "{text}");
+}
+
+#[test]
+fn of_a_colored_movie_ffmpeg_takes_the_channel_that_is_told() {
+    let read = |name, channel| read_movie(&sample(name), SHAPE, Some(channel));
+    for name in ["colored.mp4", "colored.avi"] {
+        if !has_ffmpeg() {
+            let text = read(name, Channel::Blue).unwrap_err().to_string();
+            tomolith_core::contains!(text, "which the program ffmpeg can read");
+            continue;
+        }
+        // The bars of the test source: each channel has black and white ones, but not the same
+        let levels = Channel::ALL.map(|channel| read(name, channel).unwrap());
+        for (i, frames) in levels.iter().enumerate() {
+            assert_eq!((frames.shape, frames.bits), (SHAPE, 8));
+            assert!(frames.values.iter().any(|level| *level > 200), "{name}");
+            assert_ne!(frames.values, levels[(i + 1) % 3].values, "{name}");
+        }
+    }
 }
 
 #[test]
@@ -139,20 +159,28 @@ fn lossless_movies_keep_every_level_at_any_depth() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("m.mov");
     let grid = PatternGrid::full_turn(70, 0.3, 7, 9, 0.02);
-    for bits in [1, 8, 12, 16] {
+    let kinds = [
+        (1, None),
+        (8, None),
+        (12, None),
+        (16, None),
+        (8, Some(Channel::Blue)),
+    ];
+    for (bits, channel) in kinds {
         let top = u32::from(crate::frames::top_level(bits));
         let values: Vec<u16> = (0..grid.len() as u32)
             .map(|i| (i.wrapping_mul(2_654_435_761) >> 7 & top) as u16)
             .collect();
         let set = FrameSet {
             full_scale: 0.7,
+            channel,
             ..FrameSet::of(&grid, bits, &values)
         };
         write_lossless(&path, &set, 44.4).unwrap();
         let check = check_lossless(&path, &set).unwrap();
         assert_eq!((check.frames, check.width, check.height), (70, 9, 7));
         assert!((check.frame_rate - 44.4).abs() < 0.01, "{check:?}");
-        let read = read_movie(&path, grid.shape()).unwrap();
+        let read = read_movie(&path, grid.shape(), None).unwrap();
         assert_eq!((read.bits, read.full_scale), (bits, Some(0.7)));
         assert_eq!(read.values, values, "{bits} bits");
         // One level off by one is seen
@@ -175,7 +203,7 @@ fn mutated_files_end_in_frames_or_an_error() {
         let mut bytes = whole[random.below(2)].clone();
         mutate(&mut bytes, random);
         let _ = track::missing(&bytes);
-        read_built_in(&bytes, Path::new("m.mp4"), SHAPE).is_ok()
+        read_built_in(&bytes, Path::new("m.mp4"), SHAPE, None).is_ok()
     });
     assert!(count > 0);
 }

@@ -33,6 +33,7 @@ use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::parallel::table;
+use tomolith_io::channel::Channel;
 use tomolith_io::frames::top_level;
 
 /// Every calibration frame: its name and what it is for.
@@ -76,16 +77,18 @@ pub struct Calibration {
     placing: Placing,
     axis_mm: f64,
     bits: u32,
+    channel: Option<Channel>,
 }
 
 impl Calibration {
     /// For a machine and the field of a light's patterns.
     ///
     /// # Errors
-    /// [`Error::Config`] for numbers out of range.
+    /// [`Error::Config`] for numbers out of range, and more than 8 bits in a channel.
     pub fn new(spec: &PrinterSpec, field: &PatternGrid, bits: u32) -> Result<Self> {
         spec.ranges()?;
         check_bits(bits)?;
+        spec.must_hold(bits)?;
         let mut placing = Placing::new(spec, field, [0.0; 2]);
         let axis_mm = spec.axis_offset_mm.0;
         if spec.canvas.is_none() {
@@ -95,7 +98,14 @@ impl Calibration {
             placing,
             axis_mm,
             bits,
+            channel: spec.channel,
         })
+    }
+
+    /// The channel of color images that shows the frames.
+    #[must_use]
+    pub fn channel(&self) -> Option<Channel> {
+        self.channel
     }
 
     /// One frame by its name, `[row, column]` of the canvas.

@@ -61,6 +61,7 @@ use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
 use tomolith_core::kind::check_ranges;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::units::{Mm, Pitch, exact};
+use tomolith_io::channel::Channel;
 
 /// Dimmer pixels do not decide what white is.
 const DIMMEST: f64 = 0.1;
@@ -123,6 +124,9 @@ tomolith_core::keys! {
         pub gray_curve: Option<Vec<[f64; 2]>>,
         /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
         pub gray_curve_file: Option<PathBuf>,
+        /// Channel of color images that shows the patterns, "red", "green" or "blue", for a projector of which one color is used: frames
+        /// are 8-bit RGB, black in the other channels, and the movie is lossless; gray when left out.
+        pub channel: Option<Channel>,
         /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
         pub flat_field: Option<PathBuf>,
         /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
@@ -182,6 +186,24 @@ impl PrinterSpec {
         match &self.gray_curve {
             Some(points) => ToneCurve::new(points, "printer.gray_curve").map(drop),
             None => Ok(()),
+        }
+    }
+
+    /// Refuses a bit depth that frames of this machine do not have.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for more than 8 bits in a channel.
+    pub fn must_hold(&self, bits: u32) -> Result<()> {
+        match self.channel {
+            Some(channel) if bits > 8 => Err(Error::config(
+                "evaluate.bit_depth",
+                format!(
+                    "{bits} bits together with printer.channel = \"{}\", whose frames are 8-bit RGB",
+                    channel.name()
+                ),
+                "1 to 8 bits, or no printer.channel",
+            )),
+            _ => Ok(()),
         }
     }
 

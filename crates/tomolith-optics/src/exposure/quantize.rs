@@ -29,6 +29,7 @@ use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{PatternGrid, Patterns};
 use tomolith_core::parallel::{InParallel, table};
+use tomolith_io::channel::Channel;
 use tomolith_io::frames::{FrameSet, top_level};
 
 /// Patterns of one light as whole numbers 0…2^bits − 1, array order `[angle, row, column]`.
@@ -123,14 +124,15 @@ impl Quantized {
         self.values.chunks(pixels).par_map(sum)
     }
 
-    /// A view of these levels for writers of frames and movies.
+    /// A view of these levels for writers of frames and movies, gray or in a channel of color images.
     #[must_use]
-    pub fn frames<'a>(&'a self, light: Option<&'a str>) -> FrameSet<'a> {
+    pub fn frames<'a>(&'a self, light: Option<&'a str>, channel: Option<Channel>) -> FrameSet<'a> {
         FrameSet {
             light,
             grid: &self.grid,
             bits: self.bits,
             full_scale: self.full_scale,
+            channel,
             values: &self.values,
         }
     }

@@ -205,8 +205,12 @@ fn frames_of(
         Some(printers) => printers[i].canvas_grid(),
         None => job.optics.lights[i].pixels.clone(),
     };
+    let channel = job.showing().channel(i);
     let found = if path.is_dir() {
-        read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?
+        read_frames(
+            &name.map_or_else(|| path.to_owned(), |name| path.join(name)),
+            channel,
+        )?
     } else if is_movie(path) {
         if name.is_some() {
             return Err(Error::Unsupported {
@@ -215,7 +219,7 @@ fn frames_of(
                     .to_owned(),
             });
         }
-        read_movie(path, grid.shape())?
+        read_movie(path, grid.shape(), channel)?
     } else {
         match read_stack(path, name) {
             Ok(frames) => frames,

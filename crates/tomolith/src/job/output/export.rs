@@ -194,13 +194,15 @@ pub fn export(
     {
         progress.event(&Event::Warning { text });
     }
+    let showing = Showing::of(spec);
     let sets: Vec<FrameSet<'_>> = frames
         .iter()
         .zip(&names)
-        .map(|(frames, name)| frames.frames(*name))
+        .enumerate()
+        .map(|(i, (frames, name))| frames.frames(*name, showing.channel(i)))
         .collect();
     let gel_dose = gel_dose(job, run, progress)?;
-    let shown = Shown::new(Showing::of(spec), printers.as_deref(), &frames, gel_dose)?;
+    let shown = Shown::new(showing, printers.as_deref(), &frames, gel_dose)?;
     let part = spec.target.name();
     make_parent(folder)?;
     let written = write_folder_whole(folder, |aside| {
@@ -343,11 +345,11 @@ fn must_be_linear(family: &Family) -> Result<()> {
 /// As [`Calibration::new`] and [`Calibration::draw`]; [`Error::Config`] when the folder is not empty.
 pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
     let optics = Optics::new(&job.spec, &job.base()).map_err(|e| job.locate(e))?;
-    let printer = job.spec.printer.clone().unwrap_or_default();
     let several = of_lights(&job.spec);
     let mut written = Vec::new();
     must_be_free("--output", folder)?;
-    for (light, name) in optics.lights.iter().zip(several) {
+    for (i, (light, name)) in optics.lights.iter().zip(several).enumerate() {
+        let printer = job.spec.printer_of(i).unwrap_or_default();
         let calibration = Calibration::new(&printer, &light.pixels, job.spec.evaluate.bit_depth)
             .map_err(|e| job.locate(e))?;
         let place = name.map_or_else(|| folder.to_owned(), |name| folder.join(name));
@@ -374,7 +376,7 @@ pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<
     write_folder_whole(folder, |aside| {
         for (name, frame) in names.iter().zip(&drawn) {
             let file = aside.join(format!("{name}.png"));
-            write_picture(&file, &frame.frames(None))?;
+            write_picture(&file, &frame.frames(None, calibration.channel()))?;
         }
         Ok(())
     })?;

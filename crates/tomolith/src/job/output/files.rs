@@ -83,7 +83,7 @@ pub(crate) fn all(
     let sets: Vec<FrameSet<'_>> = frames
         .iter()
         .enumerate()
-        .map(|(i, levels)| levels.frames(resolved.light_name(i)))
+        .map(|(i, levels)| levels.frames(resolved.light_name(i), resolved.showing().channel(i)))
         .collect();
     let gel_dose = evaluated.gel_dose(resolved);
     let printers = resolved.printers.as_deref();

@@ -135,7 +135,7 @@ impl<'a> Shown<'a> {
         }
         let (mut written, mut lights) = (WrittenFrames::default(), Vec::new());
         for (i, set) in sets.iter().enumerate() {
-            let movie = self.write_movie(folder, part, set, &work.part(0.7 / sets.len() as f64));
+            let movie = self.write_movie(folder, part, i, set, &work.part(0.7 / sets.len() as f64));
             let movie = left_out(MOVIE, movie, progress, &mut written.warnings)?.flatten();
             let arc = set.grid.frame_arc * set.grid.frames() as f64;
             if arc == 0.0 && self.showing.has_movie() {
@@ -159,11 +159,12 @@ impl<'a> Shown<'a> {
         &self,
         folder: &Path,
         part: &str,
+        light: usize,
         set: &FrameSet<'_>,
         work: &Work,
     ) -> Result<Option<MovieReport>> {
         let rpm = self.showing.rpm();
-        let Some(ending) = self.showing.movie_ending() else {
+        let Some(ending) = self.showing.movie_ending(light) else {
             return Ok(None);
         };
         let arc = set.grid.frame_arc * set.grid.frames() as f64;

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::exposure::{Budget, ExposureBudget, Printer, Rotation};
+use crate::io::channel::Channel;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::goal::Goal;
 use crate::job::resolve::scheduled::{self, Emitted};
@@ -140,16 +141,23 @@ impl<'a> Showing<'a> {
 
     /// Whether the job wants a movie.
     pub(crate) fn has_movie(self) -> bool {
-        self.movie_ending().is_some()
+        self.spec.output.movie != MovieCoding::None
     }
 
-    /// The ending of its file, by its coding: H.264 in `mp4`, lossless in `mov`.
-    pub(crate) fn movie_ending(self) -> Option<&'static str> {
+    /// The ending of a light's movie, by its coding: H.264 in `mp4`, lossless in `mov`.
+    pub(crate) fn movie_ending(self, light: usize) -> Option<&'static str> {
         match self.spec.output.movie {
+            // H.264 stores colors at half the resolution: of blue and black in turn, pixel by pixel, it leaves 141 and 112 of 255
+            MovieCoding::H264 if self.spec.channel_of(light).is_some() => Some("mov"),
             MovieCoding::H264 => Some("mp4"),
             MovieCoding::Lossless => Some("mov"),
             MovieCoding::None => None,
         }
+    }
+
+    /// The channel of color images that shows a light's patterns.
+    pub(crate) fn channel(self, light: usize) -> Option<Channel> {
+        self.spec.channel_of(light)
     }
 
     /// The way that the vial turns before a light.

@@ -99,7 +99,9 @@ fn movies(spec: &JobSpec) -> Vec<(String, String)> {
     }
     let file = |light| movie_name(&spec.target.name(), light, spec.output.rpm, "mp4");
     let of_light = |light| (file(light), "the movie of the patterns".to_owned());
-    of_lights(spec).into_iter().map(of_light).collect()
+    let lights = of_lights(spec).into_iter().enumerate();
+    let lights = lights.filter(|(i, _)| spec.channel_of(*i).is_none());
+    lights.map(|(_, light)| of_light(light)).collect()
 }
 
 /// The files of properties, species and networks.

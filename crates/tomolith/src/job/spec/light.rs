@@ -3,6 +3,7 @@
 use super::angles::Angles;
 use crate::error::Error;
 use crate::exposure::{PrinterSpec, Rotation};
+use crate::io::channel::Channel;
 use crate::job::spec::{JobSpec, is_default};
 use crate::optics::interface::Polarization;
 use crate::units::{Mm, Pitch};
@@ -111,6 +112,8 @@ tomolith_core::keys! {
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
         #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub peak_irradiance_mw_per_cm2: Option<f64>,
+        /// Channel of color images that shows this light's patterns, "red", "green" or "blue".
+        pub channel: Option<Channel>,
     }
 }
 
@@ -134,7 +137,14 @@ impl JobSpec {
         }
         let peak = of_light.peak_irradiance_mw_per_cm2;
         printer.peak_irradiance_mw_per_cm2 = peak.or(printer.peak_irradiance_mw_per_cm2);
+        printer.channel = self.channel_of(light);
         Some(printer)
+    }
+
+    /// The channel that shows a light's patterns.
+    pub(crate) fn channel_of(&self, light: usize) -> Option<Channel> {
+        let of_light = self.light[light].printer.channel;
+        of_light.or(self.printer.as_ref()?.channel)
     }
 
     /// Blames what is wrong with the machine of a light on the light where it is the light that says it.

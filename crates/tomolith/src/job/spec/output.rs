@@ -66,7 +66,7 @@ tomolith_core::keys! {
         #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1000.0))]
         pub rpm: f64 = 10.0,
         /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it), "lossless" (PNG frames in a
-        /// QuickTime file, every level exact at any bit depth) or "none".
+        /// QuickTime file, every level exact at any bit depth; also in place of "h264" where printer.channel is given) or "none".
         pub movie: MovieCoding = MovieCoding::default(),
         /// Whether `evaluation/` holds what the report's numbers are of: response, target and labels on the evaluation's voxels, for `tomolith metrics`. (`dose.npy` is
         /// the dose on the job's voxels.)

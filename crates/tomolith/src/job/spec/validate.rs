@@ -49,7 +49,10 @@ fn printer(spec: &JobSpec) -> Result<()> {
     };
     for (i, light) in spec.light.iter().enumerate() {
         match spec.printer_of(i) {
-            Some(printer) => printer.ranges().map_err(|e| spec.at_printer_of(i, e))?,
+            Some(printer) => printer
+                .ranges()
+                .and_then(|()| printer.must_hold(spec.evaluate.bit_depth))
+                .map_err(|e| spec.at_printer_of(i, e))?,
             None if light.printer != LightPrinterSpec::default() => {
                 return Err(Error::config(
                     format!("light[{i}].printer"),

@@ -155,6 +155,7 @@ impl NetworkInTime {
             grid: &grid,
             bits: 8,
             full_scale: 1.0,
+            channel: None,
             values: &values,
         };
         write_movie(
