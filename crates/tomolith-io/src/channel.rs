@@ -1,8 +1,8 @@
 //! Light in one channel of color images, as machines need it that use one color of a projector.
 //!
-//! [`Channel::color`] makes colors of a gray level, [`gray_of`] levels of colors. It takes the channel that it is told; else
-//! the only one that is lit; and of gray pixels (r = g = b) their gray. An image lit in several channels is refused where no
-//! channel is told, as nothing says which of them reach the resin.
+//! [`Channel::color`] makes colors of a gray level, [`gray_of`] levels of colors. It takes the channel that is asked for;
+//! else the only one that is lit; and of gray pixels (r = g = b) their gray. An image lit in several channels is refused where
+//! none is asked for, as nothing says which of them reach the resin.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -48,7 +48,7 @@ pub(crate) enum Lit {
     Gray,
     /// In the channel that was taken.
     In(Channel),
-    /// Only in others than the channel that was told.
+    /// Only in others than the channel that was asked for.
     Without(Channel),
 }
 
@@ -70,28 +70,28 @@ impl fmt::Display for Lit {
 pub(crate) fn gray_of(
     numbers: &[u16],
     samples: usize,
-    told: Option<Channel>,
+    asked: Option<Channel>,
 ) -> Result<(Vec<u16>, Option<Lit>), (String, usize)> {
     let pixels = numbers.chunks_exact(samples);
-    let level_in = |of: Channel| -> Vec<u16> {
-        let at = if samples < 3 { 0 } else { of as usize };
+    let level_in = |channel: Channel| -> Vec<u16> {
+        let at = if samples < 3 { 0 } else { channel as usize };
         pixels.clone().map(|pixel| pixel[at]).collect()
     };
     let is_colored = |pixel: &[u16]| samples >= 3 && pixel[..3] != [pixel[0]; 3];
     let is_lit = |levels: &[u16]| levels.iter().any(|level| *level > 0);
     let colored = pixels.clone().position(is_colored);
-    if let (Some(told), Some(_)) = (told, colored) {
-        let levels = level_in(told);
+    if let (Some(asked), Some(_)) = (asked, colored) {
+        let levels = level_in(asked);
         let lit = if is_lit(&levels) {
-            Lit::In(told)
+            Lit::In(asked)
         } else {
-            Lit::Without(told)
+            Lit::Without(asked)
         };
         return Ok((levels, Some(lit)));
     }
     let Some(at) = colored else {
         let levels = level_in(Channel::Red);
-        let lit = is_lit(&levels).then(|| told.map_or(Lit::Gray, Lit::In));
+        let lit = is_lit(&levels).then(|| asked.map_or(Lit::Gray, Lit::In));
         return Ok((levels, lit));
     };
     let all = Channel::ALL.map(|channel| (channel, level_in(channel)));

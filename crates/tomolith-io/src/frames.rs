@@ -246,7 +246,7 @@ pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> 
     })
 }
 
-/// Refuses frames with light in different channels, and frames with none in the channel that was told.
+/// Refuses frames with light in different channels, and frames with none in the channel that was asked for.
 fn one_light(images: &[Image]) -> Result<(), (usize, String)> {
     let lights = || {
         images
@@ -438,20 +438,20 @@ mod tests {
                 }
                 let frames = read_frames(&gray, None).unwrap();
                 assert_eq!(frames.values, values);
-                for told in [None, channel] {
-                    assert_eq!(read_frames(&colored, told).unwrap(), frames);
-                    assert_eq!(read_frames(&gray, told).unwrap(), frames);
+                for asked in [None, channel] {
+                    assert_eq!(read_frames(&colored, asked).unwrap(), frames);
+                    assert_eq!(read_frames(&gray, asked).unwrap(), frames);
                 }
                 let other = Channel::ALL[(place + 1) % 3];
                 let text = read_frames(&colored, Some(other)).unwrap_err().to_string();
                 let found = format!("light, but none of it {}", other.name());
-                tomolith_core::contains!(text, "frame_0001.png", found, "printer.channel");
+                tomolith_core::contains!(text, "frame_0001.png", &found, "printer.channel");
             }
         }
     }
 
     #[test]
-    fn of_light_in_several_channels_the_one_that_is_told_counts() {
+    fn of_light_in_several_channels_the_one_that_is_asked_for_counts() {
         let folder = tempfile::tempdir().unwrap();
         let save = |name: &str, pixels: [[u8; 3]; 2]| {
             let file = File::create(folder.path().join(name)).unwrap();
@@ -460,7 +460,7 @@ mod tests {
             let mut writer = encoder.write_header().unwrap();
             writer.write_image_data(pixels.as_flattened()).unwrap();
         };
-        let read = |told| read_frames(folder.path(), told).map(|frames| frames.values);
+        let read = |asked| read_frames(folder.path(), asked).map(|frames| frames.values);
         let refused = || read(None).unwrap_err().to_string();
         save("1.png", [[0, 0, 0], [9, 0, 5]]);
         save("2.png", [[0, 0, 7], [0, 0, 0]]);

@@ -446,7 +446,7 @@ fn frames_in_one_color_print_what_gray_frames_print() {
     assert!(!folder.join("chiral_10rpm.mp4").exists());
     let simulated = |patterns: &str, machine: &str| {
         bench.done(&format!(
-            "simulate job.toml --quiet --patterns {patterns} --output again --overwrite {machine}"
+            "simulate job.toml --quiet --patterns {patterns} --output again {machine}"
         ));
         (
             bench.shown("again"),

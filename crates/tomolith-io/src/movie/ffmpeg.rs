@@ -4,7 +4,7 @@
 //! what the movie holds. Every frame is taken once, whatever its time. Whatever `ffmpeg` reports as an error is one here: a
 //! frame that it patched would be a wrong pattern. Its filter `signalstats` says whether a picture is colored, of which gray
 //! images would show the luma alone; an `ffmpeg` without that filter does not say. Of colored pictures its filter
-//! `extractplanes` takes the channel that is asked for.
+//! `extractplanes` takes the channel that is asked for, in 8 bits.
 
 use super::{CODING, GRAY, must_fit};
 use crate::channel::Channel;
@@ -76,7 +76,14 @@ pub(super) fn read(
             shape[0]
         )));
     }
-    Ok(frames)
+    let is_dark = |level: &u16| *level <= u16::from(CODING);
+    match plane.filter(|_| frames.values.iter().all(is_dark)) {
+        Some(channel) => Err(Trouble::Said(format!(
+            "a colored movie, but no {} light in it",
+            channel.name()
+        ))),
+        None => Ok(frames),
+    }
 }
 
 /// `ffmpeg` before what it is to do with a movie. A rate for the input gives frames even times and lengths.
@@ -123,9 +130,9 @@ fn colored(path: &Path) -> Option<usize> {
 
 fn start(path: &Path, plane: Option<Channel>) -> Result<Child, Trouble> {
     let plane = plane.map_or("", |channel| match channel {
-        Channel::Red => ",format=gbrp|gbrp16,extractplanes=r",
-        Channel::Green => ",format=gbrp|gbrp16,extractplanes=g",
-        Channel::Blue => ",format=gbrp|gbrp16,extractplanes=b",
+        Channel::Red => ",format=gbrp,extractplanes=r",
+        Channel::Green => ",format=gbrp,extractplanes=g",
+        Channel::Blue => ",format=gbrp,extractplanes=b",
     });
     let filters = format!("settb=1/25,setpts=N{plane}");
     command(path)

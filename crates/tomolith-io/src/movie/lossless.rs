@@ -1,7 +1,7 @@
 //! The frames as a movie without loss: PNG files in a QuickTime file (`.mov`).
 //!
 //! Each frame is the PNG file of [`frames`](crate::frames), with its bits, white and azimuth, so the levels come back
-//! bit for bit at any depth; players that build on FFmpeg (mpv, VLC) show it. The file is a QuickTime file as in Apple's
+//! bit for bit at any depth; players that build on FFmpeg (mpv) show it, VLC with `--deinterlace=0`. The file is a QuickTime file as in Apple's
 //! *QuickTime File Format*: `ftyp`, `mdat` with one frame after the other, `moov` with one track of `png `.
 
 use super::track::{Codec, Track};

@@ -115,7 +115,7 @@ fn a_colored_movie_is_refused() {
 }
 
 #[test]
-fn of_a_colored_movie_ffmpeg_takes_the_channel_that_is_told() {
+fn of_a_colored_movie_ffmpeg_takes_the_channel_that_is_asked_for() {
     let read = |name, channel| read_movie(&sample(name), SHAPE, Some(channel));
     for name in ["colored.mp4", "colored.avi"] {
         if !has_ffmpeg() {
