@@ -3,6 +3,7 @@
 use crate::{BALL, Finished, job_of};
 use serde_json::Value;
 use tomolith::Error;
+use tomolith::io::channel::Channel;
 use tomolith::job::{Job, ResolvedJob, Silent};
 
 const MACHINES: &str = r#"
@@ -56,6 +57,23 @@ fn a_gray_curve_belongs_to_its_light() {
             .is_some_and(|curve| curve[1] == [0.5, 0.3])
     );
     assert_eq!(curves[1], None);
+}
+
+#[test]
+fn each_light_may_have_its_own_channel() {
+    let channels = |changes: &[&str]| {
+        let spec = job(changes).unwrap().spec;
+        [0, 1].map(|light| spec.printer_of(light).unwrap().channel)
+    };
+    assert_eq!(channels(&[]), [None, None]);
+    let blue = "printer.channel=blue";
+    assert_eq!(channels(&[blue]), [Some(Channel::Blue); 2]);
+    let red = "light[1].printer.channel=red";
+    assert_eq!(
+        channels(&[blue, red]),
+        [Some(Channel::Blue), Some(Channel::Red)]
+    );
+    assert_eq!(channels(&[red]), [None, Some(Channel::Red)]);
 }
 
 #[test]
