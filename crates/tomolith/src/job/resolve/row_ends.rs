@@ -28,7 +28,11 @@ impl ResolvedJob {
             Some(part_mm) => RowEnds::of_prism(part_mm, &lights),
             None => {
                 let part_mm = shape.bounds_mm().map(|corner| corner[2]);
-                RowEnds::of(&HorizontalFaces::of(inside), part_mm, &lights)
+                let faces = match (shape.meshes().as_slice(), shape.volume_mm3()) {
+                    ([mesh], Some(volume_mm3)) => HorizontalFaces::of_mesh(mesh, volume_mm3),
+                    _ => HorizontalFaces::of(inside),
+                };
+                RowEnds::of(&faces, part_mm, &lights)
             }
         }
     }
