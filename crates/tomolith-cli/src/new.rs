@@ -128,7 +128,7 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
 
 /// The text of a job that can be used.
 fn tried(given: &NewArguments, answers: &Answers) -> Result<String> {
-    let document = |pixels: [usize; 2]| Document::toml(&given.file, text(answers, pixels));
+    let document = |pixels: [usize; 2]| Document::toml(&given.file, text(answers, pixels, None));
     // The part's size says how many pixels light it
     let trial = Job::from_document(document([64, 64])?)?;
     let shape =
@@ -161,7 +161,7 @@ fn tried(given: &NewArguments, answers: &Answers) -> Result<String> {
     for warning in resolved.warnings() {
         mutter(&format!("{:>12} {warning}", "warning"));
     }
-    Ok(text(answers, pixels))
+    Ok(text(answers, pixels, resolved.better_offset_mm()))
 }
 
 /// The option that a key of the job is made of; None for one that no option sets.
@@ -302,7 +302,7 @@ fn is_mesh(part: &str) -> bool {
 }
 
 /// The job.
-fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
+fn text(answers: &Answers, [columns, rows]: [usize; 2], offset_mm: Option<[f64; 2]>) -> String {
     let quoted = |text: &str| serde_json::Value::from(text).to_string();
     let size = answers.size_mm.map(concise);
     let target = match (is_mesh(&answers.part), size) {
@@ -347,6 +347,12 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
     };
     let [pixel, wavelength] = [answers.pixel_mm, answers.wavelength_nm].map(concise);
     let angles = answers.angles;
+    let offset = offset_mm.map_or_else(String::new, |mm| {
+        let [across, up] = mm.map(concise);
+        format!(
+            "offset_mm = [{across}, {up}]        # flat faces of the part end with rows of pixels\n"
+        )
+    });
     format!(
         r#"# A job of Tomolith: `tomolith check` says what it costs, `tomolith run` runs it, `tomolith kinds` lists what it can choose from.
 # Editors complete its keys with the line `#:schema job.schema.json` here, and that file from `tomolith schema`.
@@ -363,7 +369,7 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
 [[light]]
 wavelength_nm = {wavelength}
 pixels = [{columns}, {rows}]           # columns, rows: as many as light the part
-angles = {angles}                   # frames of a turn
+{offset}angles = {angles}                   # frames of a turn
 projector.collimated = {{ pixel_pitch_mm = {pixel} }}
 
 # Where they are left out: objective and optimizer, the bound of the pixels (as low as prints as well), 45 iterations

@@ -36,6 +36,23 @@ fn a_new_job_holds_what_was_said_and_runs() {
 }
 
 #[test]
+fn a_new_job_moves_the_light_to_the_flat_faces_of_the_part() {
+    let bench = Bench::with(&[]);
+    // A roof 1.06 mm high: its base lies at −0.53 mm, rows of 0.05 mm end at −0.55
+    let corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0.5 1.06\nv 2 0.5 1.06\n";
+    let faces = "f 1 4 3 2\nf 1 2 6 5\nf 3 4 5 6\nf 1 5 4\nf 2 3 6\n";
+    bench.write("roof.obj", &format!("{corners}{faces}"));
+    bench.done("new roof.toml --part roof.obj");
+    let job = Job::read(&bench.path("roof.toml"), &[]).unwrap();
+    assert_eq!(job.spec.light[0].offset_mm.map(|mm| mm.0), [0.0, 0.02]);
+    let warned = |options: &str| {
+        let checked = bench.json(&format!("check roof.toml {options}"));
+        checked["warnings"].to_string().contains("rows of pixels")
+    };
+    assert!(!warned("") && warned("--set light[0].offset_mm=[0,0]"));
+}
+
+#[test]
 fn a_new_job_that_cannot_be_is_refused_and_not_written() {
     let bench = Bench::with(&[]);
     for (line, words) in [

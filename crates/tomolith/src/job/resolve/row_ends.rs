@@ -19,41 +19,57 @@ const WORTH_TELLING: f64 = 0.01;
 impl ResolvedJob {
     /// Horizontal faces of species `s` inside rows of pixels, in level light; `inside`: the inside fractions of its voxels.
     pub(crate) fn row_ends(&self, s: usize, inside: &Volume<f32>) -> Option<RowEnds> {
+        self.row_ends_by(s, || Some(HorizontalFaces::of(inside)))
+    }
+
+    /// The same; `faces`: those of a part that is neither a prism nor a mesh.
+    fn row_ends_by(
+        &self,
+        s: usize,
+        faces: impl FnOnce() -> Option<HorizontalFaces>,
+    ) -> Option<RowEnds> {
         let shape = self.species[s].shape.as_ref();
         if shape.is_gray() || self.optics.scene().beyond_slices().is_some() {
             return None;
         }
         let lights = acting_on(self, s);
-        match shape.upright_mm() {
-            Some(part_mm) => RowEnds::of_prism(part_mm, &lights),
-            None => {
-                let part_mm = shape.bounds_mm().map(|corner| corner[2]);
-                let faces = match (shape.meshes().as_slice(), shape.volume_mm3()) {
-                    ([mesh], Some(volume_mm3)) => HorizontalFaces::of_mesh(mesh, volume_mm3),
-                    _ => HorizontalFaces::of(inside),
-                };
-                RowEnds::of(&faces, part_mm, &lights)
-            }
+        if let Some(part_mm) = shape.upright_mm() {
+            return RowEnds::of_prism(part_mm, &lights);
         }
+        let faces = match (shape.meshes().as_slice(), shape.volume_mm3()) {
+            ([mesh], Some(volume_mm3)) => HorizontalFaces::of_mesh(mesh, volume_mm3),
+            _ => faces()?,
+        };
+        let part_mm = shape.bounds_mm().map(|corner| corner[2]);
+        RowEnds::of(&faces, part_mm, &lights)
     }
 
     /// What people should know beforehand of faces inside rows of pixels: where moving the light helps.
     pub(crate) fn warning_of_row_ends(&self, s: usize, inside: &Volume<f32>) -> Option<String> {
         let ends = self.row_ends(s, inside)?;
-        let moved = ends.worthy_move()?;
-        let offset_mm = self.optics.lights[ends.light.0].pixels.offset_mm;
+        let offset_mm = self.offset_worth_telling(&ends)?;
         let percent = |share: f64| significant((1000.0 * share).round() / 10.0, 2);
-        let nanometers = |mm: f64| (mm * 1e6).round() / 1e6 + 0.0;
-        (ends.share >= WORTH_TELLING).then(|| {
-            format!(
-                "horizontal faces of the part lie inside rows of pixels, but light ends with a row: {} % of the part's volume lies between. {} = [{}, {}] leaves {} %",
-                percent(ends.share),
-                ends.move_key(),
-                significant(offset_mm[0], 4),
-                significant(nanometers(offset_mm[1] + moved), 2),
-                percent(ends.best_move.1)
-            )
-        })
+        let [across, up] = offset_mm.map(|mm| significant(mm, 4));
+        Some(format!(
+            "horizontal faces of the part lie inside rows of pixels, but light ends with a row: {} % of the part's volume lies between. {} = [{across}, {up}] leaves {} %",
+            percent(ends.share),
+            ends.move_key(),
+            percent(ends.best_move.1)
+        ))
+    }
+
+    /// The `light.offset_mm` with which horizontal faces of the part lie nearest to edges of rows; None where that brings little, light is not level, or the
+    /// part is neither a prism nor one closed mesh.
+    #[must_use]
+    pub fn better_offset_mm(&self) -> Option<[f64; 2]> {
+        self.offset_worth_telling(&self.row_ends_by(0, || None)?)
+    }
+
+    fn offset_worth_telling(&self, ends: &RowEnds) -> Option<[f64; 2]> {
+        let moved = ends.worthy_move()?;
+        let [across, up] = self.optics.lights[ends.light.0].pixels.offset_mm;
+        let micrometers = |mm: f64| (mm * 1e3).round() / 1e3 + 0.0;
+        (ends.share >= WORTH_TELLING).then(|| [across, micrometers(up + moved)])
     }
 }
 
