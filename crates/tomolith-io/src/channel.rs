@@ -1,6 +1,6 @@
 //! Light in one channel of color images, as machines need it that use one color of a projector.
 //!
-//! [`Channel::color`] makes colors of a gray level, [`gray_of`] levels of colors. It takes the channel that is asked for;
+//! [`Channel::color`] makes colors of a gray level, `gray_of` levels of colors. It takes the channel that is asked for;
 //! else the only one that is lit; and of gray pixels (r = g = b) their gray. An image lit in several channels is refused where
 //! none is asked for, as nothing says which of them reach the resin.
 
