@@ -153,6 +153,8 @@ pub struct ResolvedJob {
     pub(crate) notes: Vec<String>,
     /// What may be wrong.
     pub(crate) warnings: Vec<String>,
+    /// Whether it is the coarse version of a job.
+    pub(crate) is_toy: bool,
     /// The processes that share the frames of the optimization; None: this one works alone.
     pub(crate) ranks: Option<Arc<dyn Communicator>>,
     /// The targets of all species on the job's voxels, sampled on first use by a caller with another loop.
@@ -292,6 +294,7 @@ impl ResolvedJob {
             ]
             .concat(),
             notes,
+            is_toy: job.is_toy,
             ranks: None,
             voxels: OnceLock::new(),
             levels,
