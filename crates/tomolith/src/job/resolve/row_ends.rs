@@ -3,6 +3,8 @@
 //! **Model** Level light ends with a row of pixels, so a horizontal face of area A prints at the nearest edge of a row, d from where it should be: A·d of the part's volume V
 //! is missing or too much, a share of Σ A·d/V. Light that is moved along z moves these edges, so moves within half a row are tried. Slanted surfaces lie at every height alike; what
 //! they lose is due to the size of pixels, and is left out.
+//!
+//! **Limits** Where light spreads over rows, or what it makes diffuses in the print in time, rows have no sharp edges: gray values put a face inside a row, and nothing is said.
 
 use super::ResolvedJob;
 use super::acting::{Acting, acting_on};
@@ -29,7 +31,15 @@ impl ResolvedJob {
         faces: impl FnOnce() -> Option<HorizontalFaces>,
     ) -> Option<RowEnds> {
         let shape = self.species[s].shape.as_ref();
-        if shape.is_gray() || self.optics.scene().beyond_slices().is_some() {
+        let spreads = self
+            .optics
+            .lights
+            .iter()
+            .any(|light| light.point_spread.is_some());
+        if shape.is_gray() || spreads || self.schedule().is_some() {
+            return None;
+        }
+        if self.optics.scene().beyond_slices().is_some() {
             return None;
         }
         let lights = acting_on(self, s);
@@ -211,20 +221,28 @@ mod tests {
     #[test]
     fn faces_inside_rows_are_told_before_a_run_where_moving_the_light_helps() {
         // A gear from z = −1.5 to 1.5 mm in rows of 0.05 mm
-        let warnings = |offset: &str| {
+        let warnings = |offset: &str, more: &[&str]| {
             let set = format!("light[0].offset_mm={offset}");
-            let job = ResolvedJob::new(&job_of(FULL, &[&set])).unwrap();
+            let job = ResolvedJob::new(&job_of(FULL, &[&[&*set], more].concat())).unwrap();
             let voxels = job.voxels(&job.grid, &Work::new()).unwrap();
             let mut warnings = job.warnings_of(&voxels).unwrap();
             warnings.retain(|text| text.contains("rows of pixels"));
             warnings
         };
-        assert!(warnings("[0, 0]").is_empty());
+        assert!(warnings("[0, 0]", &[]).is_empty());
         assert_eq!(
-            warnings("[0.1, 0.01875]"),
+            warnings("[0.1, 0.01875]", &[]),
             [
                 "horizontal faces of the part lie inside rows of pixels, but light ends with a row: 1.5 % of the part's volume lies between. light.offset_mm = [0.1, 0] leaves 0 %"
             ]
         );
+        // Radicals that diffuse round the edges of rows
+        let in_time = "schedule={turns=3, seconds_per_turn=20, power={energy_mj_per_mm2=1.1}}";
+        let diffusing = [
+            in_time,
+            "material={diffusion={mm2_per_s=1e-4}}",
+            "resin.critical_dose_mj_per_mm3=0.8",
+        ];
+        assert!(warnings("[0.1, 0.01875]", &diffusing).is_empty());
     }
 }
