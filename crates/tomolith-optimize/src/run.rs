@@ -27,6 +27,9 @@ tomolith_core::keys! {
         pub change: f64 = 0.0,
         /// Steps after which `change` is looked at; 0: as soon as there are five
         pub change_after: usize = 0,
+        /// Rise of the IoU over five steps or more, where observers measure it, above which `change` does not stop
+        #[schemars(range(min = 0.0, max = 1.0))]
+        pub rise: Option<f64>,
         /// Stop when no patterns can have a loss lower than that of these by more than this part of it; 0: never; convex problems only
         #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub gap: f64 = 0.0,
@@ -617,6 +620,7 @@ impl<F: Field> State<F> {
         } else if stop.change > 0.0
             && row.iteration >= stop.change_after
             && self.change().is_some_and(|c| c <= stop.change * row.loss)
+            && !(stop.rise.zip(self.rise())).is_some_and(|(most, rise)| rise > most)
             && is_settled
         {
             Some(StopReason::Steady)
@@ -641,6 +645,17 @@ impl<F: Field> State<F> {
         let losses = self.history[last..].windows(2);
         let changes = losses.map(|pair| (pair[1].loss - pair[0].loss).abs());
         Some(changes.sum::<f64>() / STEADY as f64)
+    }
+
+    /// Rise of the IoU from the last measured print but those of the last steps to the last one.
+    fn rise(&self) -> Option<f64> {
+        let mut measured = self.history.iter().rev().filter_map(|row| {
+            let iou = row.print.and_then(|print| print.iou)?;
+            Some((row.iteration, iou))
+        });
+        let (last, iou) = measured.next()?;
+        let (_, before) = measured.find(|(iteration, _)| iteration + STEADY <= last)?;
+        Some(iou - before)
     }
 
     /// One step, its row, and the best patterns.

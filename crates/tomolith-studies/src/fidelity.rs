@@ -138,6 +138,7 @@ const ROWS: [(&str, &str, &[&str]); 11] = [
             "grid.refine=4",
             "light.sub_angles=4",
             "stop.iterations=150",
+            "stop.change=0",
             "bounds.ceiling=start",
         ],
     ),

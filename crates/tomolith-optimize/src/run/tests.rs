@@ -385,6 +385,51 @@ fn a_steady_loss_ends_the_run_by_equation_28() {
     assert!(outcome.history.len() >= last + 4);
 }
 
+/// Sees the IoU rise by 0.01 in every step up to an iteration.
+struct Rising {
+    until: usize,
+    iou: f64,
+}
+
+impl Observer<HostField> for Rising {
+    fn on_step(&mut self, report: &StepReport<HostField>) -> ControlFlow<()> {
+        self.iou = 0.01 * report.row.iteration.min(self.until) as f64;
+        ControlFlow::Continue(())
+    }
+
+    fn print(&self) -> Option<MeasuredPrint> {
+        Some(MeasuredPrint {
+            iou: Some(self.iou),
+            process_window: None,
+        })
+    }
+}
+
+#[test]
+fn a_steady_loss_ends_no_run_whose_print_becomes_better() {
+    let model = SmallModel::new(16, 24, 1);
+    let l2 = objective(&model, "l2");
+    let last = |rise: Option<f64>, until: usize| {
+        let stop = Stop {
+            change: 0.1,
+            rise,
+            ..Stop::after(500)
+        };
+        let mut rising = Rising { until, iou: 0.0 };
+        let seen: Observers = &mut [&mut rising];
+        let (_, outcome) = go_on(&model, &*l2, &mut newton(), stop, None, seen);
+        let outcome = outcome.unwrap();
+        assert_eq!(outcome.reason, StopReason::Steady);
+        outcome.history.len() - 1
+    };
+    let steady = last(None, 0);
+    // From five steps before to the last it rises by 0.05 until then, and by 0.02 three steps later
+    let until = steady + 3;
+    assert_eq!(last(Some(0.025), until), until + 3);
+    assert_eq!(last(Some(0.06), until), steady);
+    assert_eq!(last(Some(0.025), 0), steady);
+}
+
 #[test]
 fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
     let inner = SmallModel::new(10, 8, 1);

@@ -109,6 +109,7 @@ impl GoOn<'_, '_> {
         let around = Around {
             until,
             wider: 0,
+            change: 0.0,
             bounds,
             checkpoints: None,
             sofar: self.sofar,

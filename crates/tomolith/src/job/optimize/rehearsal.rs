@@ -103,6 +103,7 @@ fn pace(
     let around = Around {
         until: iterations,
         wider: 0,
+        change: 0.0,
         bounds: &bounds,
         checkpoints: None,
         sofar,

@@ -166,9 +166,11 @@ impl<'a> Search<'a> {
         if let Some(shares) = job.shares(level, stage.model.patterns()) {
             self.checkpoints.share(shares);
         }
+        let is_last = i + 1 == job.levels.len();
         let around = Around {
             until: level.until,
             wider: 0,
+            change: if is_last { job.steady() } else { 0.0 },
             bounds: &self.bounds,
             checkpoints: Some(&mut self.checkpoints),
             sofar: &mut self.sofar,
@@ -176,7 +178,7 @@ impl<'a> Search<'a> {
             work,
         };
         let outcome = stage.run_and_widen(x, around)?;
-        let is_done = i + 1 == job.levels.len() && outcome.reason != StopReason::Canceled;
+        let is_done = is_last && outcome.reason != StopReason::Canceled;
         let Some(found) = (self.ceiling.as_mut()).filter(|found| is_done && found.is_lower())
         else {
             return Ok(outcome);

@@ -34,6 +34,9 @@ use std::time::Instant;
 #[cfg(feature = "gpu")]
 use tomolith_gpu::{GpuField, model_on};
 
+/// Part of what a print may lose in IoU (`bounds.tolerance`) by which it may still rise where the loss is steady.
+const RISE: f64 = 0.5;
+
 /// What the levels before have done.
 #[derive(Default)]
 pub(crate) struct SoFar {
@@ -65,6 +68,8 @@ pub(crate) struct Around<'a> {
     pub(crate) until: usize,
     /// By how many steps the thresholds lie further apart than those of the job.
     pub(crate) wider: usize,
+    /// Mean change of the loss at which they end where the job names none; 0: never.
+    pub(crate) change: f64,
     pub(crate) bounds: &'a [Limits],
     pub(crate) checkpoints: Option<&'a mut Checkpoints>,
     pub(crate) sofar: &'a mut SoFar,
@@ -372,6 +377,7 @@ impl<'a> Stage<'a> {
         let job = self.job;
         let Around {
             until,
+            change,
             bounds,
             checkpoints,
             sofar,
@@ -404,7 +410,12 @@ impl<'a> Stage<'a> {
         let stop = Stop {
             iterations: until,
             projected_gradient: stop.projected_gradient.unwrap_or(0.0),
-            change: stop.change.unwrap_or(0.0),
+            change: stop.change.unwrap_or(change),
+            // Where most of the loss is what no light can reach, it changes little while the print still does
+            rise: stop
+                .change
+                .is_none()
+                .then_some(RISE * job.bounds().tolerance.iou),
             change_after: stop.change_after.unwrap_or(0),
             gap: stop.gap.unwrap_or(0.0),
             relative_loss: stop.relative_loss.unwrap_or(0.0),

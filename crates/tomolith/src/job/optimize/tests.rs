@@ -119,11 +119,11 @@ fn measured_iterations_thin_out_evenly() {
 
 /// A gear in a matched vial, its job and voxels.
 fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
-    gear_for(20, more)
+    gear_until("iterations = 20", more)
 }
 
-/// The same for so many iterations.
-fn gear_for(iterations: usize, more: &str) -> (ResolvedJob, Vec<Voxels>) {
+/// The same with an end of its own.
+fn gear_until(stop: &str, more: &str) -> (ResolvedJob, Vec<Voxels>) {
     let text = format!(
         r#"
         target = {{ phantom = {{ gear = {{}} }}, size_mm = 2.0 }}
@@ -131,7 +131,7 @@ fn gear_for(iterations: usize, more: &str) -> (ResolvedJob, Vec<Voxels>) {
         resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
         vial = {{ index_matched = {{ radius_mm = 2.0 }} }}
         light = [{{ pixels = [48, 24], angles = 48, projector = {{ collimated = {{ pixel_pitch_mm = 0.05 }} }} }}]
-        stop = {{ iterations = {iterations} }}
+        stop = {{ {stop} }}
         {more}
         "#
     );
@@ -168,6 +168,7 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let around = stage::Around {
         until: level.until,
         wider: 0,
+        change: 0.0,
         bounds: &bounds,
         checkpoints: None,
         sofar,
@@ -205,7 +206,7 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
 #[test]
 fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
     let (few, voxels) = gear("");
-    let (resolved, _) = gear_for(30, "");
+    let (resolved, _) = gear_until("iterations = 30", "");
     let mut found = (ceiling::find(&few, &voxels, &Work::new()).unwrap()).unwrap();
     let lower = std::f64::consts::FRAC_1_SQRT_2;
     let point = |factor: f64, lost: f64| CeilingPoint {
@@ -228,19 +229,53 @@ fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
     assert!(found.may_become(lower, &resolved));
 }
 
+/// What the optimization of a job comes to, with checkpoints in a folder.
+fn optimized((resolved, voxels): (ResolvedJob, Vec<Voxels>), folder: &Path) -> Optimized {
+    let plan = CheckpointPlan {
+        folder,
+        resume: false,
+        keeps_end: false,
+    };
+    let (cache, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
+    optimize(&resolved, &voxels, plan, cache, silent, &Work::new()).unwrap()
+}
+
+#[test]
+fn an_optimization_ends_where_its_loss_hardly_changes() {
+    let place = tempfile::tempdir().unwrap();
+    // A window that the gear's light does not reach: its loss has a floor above 0
+    let more = "objective = { threshold = { lower = 0.85, upper = 0.9 } }\nbounds = { ceiling = \"start\" }";
+    let history = |stop: &str, more: &str| {
+        let outcome = optimized(gear_until(stop, more), place.path()).outcome;
+        (outcome.reason, outcome.history)
+    };
+    let (reason, ended) = history("iterations = 200", more);
+    assert_eq!(reason, StopReason::Steady);
+    let losses: Vec<f64> = ended.iter().rev().take(6).map(|row| row.loss).collect();
+    let change = losses
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).abs())
+        .sum::<f64>()
+        / 5.0;
+    assert!(
+        change <= 0.0005 * losses[0] && ended.len() < 201,
+        "{losses:?}"
+    );
+    // Asked to, it goes on the same way; other methods do so by themselves
+    let further = format!("iterations = {}", ended.len() + 2);
+    let (reason, all) = history(&format!("{further}, change = 0"), more);
+    assert_eq!(reason, StopReason::Iterations);
+    let losses = |rows: &[Row]| -> Vec<f64> { rows.iter().map(|row| row.loss).collect() };
+    assert_eq!(losses(&all[..ended.len()]), losses(&ended));
+    let by_gradient = format!("{more}\noptimizer = {{ gradient = {{}} }}");
+    assert_eq!(history(&further, &by_gradient).0, StopReason::Iterations);
+}
+
 #[test]
 fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
     let place = tempfile::tempdir().unwrap();
     let first = |more: &str| {
-        let (resolved, voxels) = gear(more);
-        let folder = place.path();
-        let plan = CheckpointPlan {
-            folder,
-            resume: false,
-            keeps_end: false,
-        };
-        let (cache, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
-        let done = optimize(&resolved, &voxels, plan, cache, silent, &Work::new()).unwrap();
+        let done = optimized(gear(more), place.path());
         let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
         let history = done.outcome.history;
         assert!(history.last().unwrap().iteration >= 20);

@@ -415,7 +415,7 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::Iterations => "all of `stop.iterations`",
         StopReason::ZeroLoss => "the loss is zero",
         StopReason::ProjectedGradient => "the projected gradient is small enough",
-        StopReason::Steady => "the loss hardly changes any more",
+        StopReason::Steady => "the loss hardly changes any more: `stop.change`",
         StopReason::Gap => "hardly better patterns are possible",
         StopReason::NoProgress => "no further improvement within rounding errors",
         StopReason::Observer => "the requested loss or IoU is reached",

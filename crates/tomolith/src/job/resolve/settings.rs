@@ -24,6 +24,14 @@ impl ResolvedJob {
         &self.spec.stop
     }
 
+    /// Mean change of the loss at which the optimization ends where the job names none; 0: never. A print in time is looked at anew on the way.
+    pub(crate) fn steady(&self) -> f64 {
+        match self.is_optimized_in_time() {
+            true => 0.0,
+            false => self.method.steady(),
+        }
+    }
+
     /// The bounds of the pixels of all lights.
     pub(crate) fn bounds(&self) -> &BoundsSpec {
         &self.spec.bounds
