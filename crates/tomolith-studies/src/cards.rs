@@ -235,7 +235,7 @@ fn job_text(size: Size, scene: &str, iterations: usize, mesh: Option<&String>) -
     };
     format!(
         "{scene}\n{vial}{part}\ntarget.size_mm = {}\ngrid = {{ shape = [{voxels}, {voxels}, {voxels}], pitch_mm = {pitch} }}\n\
-         objective.threshold = {{ lower = 0.8, upper = 0.95 }}\noptimizer.lbfgs = {{}}\nstop.iterations = {iterations}\n\
+         objective.threshold = {{ lower = 0.8, upper = 0.95 }}\noptimizer.lbfgs = {{}}\nstop = {{ iterations = {iterations}, change = 0 }}\n\
          [[light]]\nwavelength_nm = 405\npixels = [{pixels}, {pixels}]\nangles = {frames}\nprojector.collimated = {{ pixel_pitch_mm = {} }}\n",
         if edge_mm == BENCHMARK.edge_mm {
             8.0
