@@ -244,5 +244,11 @@ mod tests {
             "resin.critical_dose_mj_per_mm3=0.8",
         ];
         assert!(warnings("[0.1, 0.01875]", &diffusing).is_empty());
+        // A projector whose pixels light their neighbors
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("psf.csv");
+        std::fs::write(&file, "0, 1\n0.1, 0.4\n0.25, 0\n").unwrap();
+        let blurred = format!("light[0].psf={file:?}");
+        assert!(warnings("[0.1, 0.01875]", &[&blurred]).is_empty());
     }
 }
