@@ -72,7 +72,7 @@ class Commands(unittest.TestCase):
 
     def test_an_interrupt_ends_it_with_130(self):
         (self.folder / "gear.json").write_text(json.dumps(GEAR))
-        words = ["run", "gear.json", "--set", "stop.iterations=1000000", "--json"]
+        words = ["run", "gear.json", "--set", "stop.iterations=1000000", "--set", "stop.change=0", "--json"]
         # Programs that were started in the background ignore interrupts
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.addCleanup(signal.signal, signal.SIGINT, before)

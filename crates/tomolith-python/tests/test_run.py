@@ -153,7 +153,7 @@ class Runs(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def long(self):
-        return tomolith.Job(GEAR, set=["stop.iterations=1000000"], folder=self.folder / "long")
+        return tomolith.Job(GEAR, set=["stop.iterations=1000000", "stop.change=0"], folder=self.folder / "long")
 
     def test_a_run_is_that_of_the_library(self):
         job = tomolith.Job(GEAR, folder=self.folder / "run")

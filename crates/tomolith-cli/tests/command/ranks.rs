@@ -154,7 +154,7 @@ fn process_of(rank: usize, folder: &str) -> Option<String> {
 fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
     let Some(bench) = bench() else { return };
     let folder = bench.path("killed").display().to_string();
-    let line = "run job.toml --set stop.iterations=100000 --set checkpoint.every_s=0.05 -o";
+    let line = "run job.toml --set stop.iterations=100000 --set stop.change=0 --set checkpoint.every_s=0.05 -o";
     let mut command = bench.on_ranks(2, &format!("{line} {folder}"));
     let mut job = command
         .stdout(Stdio::null())

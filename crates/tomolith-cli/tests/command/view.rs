@@ -322,7 +322,7 @@ fn a_run_is_watched_to_its_end_and_its_result_stays() {
     let bench = Bench::new();
     let served = Served::start(
         &bench,
-        "run job.toml --open --no-browser --quiet -o a --set stop.iterations=200",
+        "run job.toml --open --no-browser --quiet -o a --set stop.iterations=200 --set stop.change=0",
     );
     let running: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
     assert!(running["runs"][0]["state"] == "running" || running["runs"][0]["state"] == "done");
@@ -358,7 +358,7 @@ fn the_page_hears_why_a_run_failed() {
     let bench = Bench::new();
     let mut served = Served::start(
         &bench,
-        "run job.toml --open --no-browser --quiet -o a --set stop.iterations=4000",
+        "run job.toml --open --no-browser --quiet -o a --set stop.iterations=4000 --set stop.change=0",
     );
     let mut events = events(&served);
     let _ = until(&mut events, "iteration");
@@ -376,7 +376,7 @@ fn the_page_can_stop_a_run() {
     let bench = Bench::new();
     let mut served = Served::start(
         &bench,
-        "run job.toml --open --no-browser --quiet -o a --set grid.pitch_mm=0.02 --set light.angles=600 --set stop.iterations=5000 --set evaluate.refine=1",
+        "run job.toml --open --no-browser --quiet -o a --set grid.pitch_mm=0.02 --set light.angles=600 --set stop.iterations=5000 --set stop.change=0 --set evaluate.refine=1",
     );
     let mut events = events(&served);
     let _ = until(&mut events, "snapshot");
