@@ -471,7 +471,7 @@ fn rows(table: &str) -> Vec<Vec<f64>> {
 fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing() {
     let sweep = SWEEP.replace(
         "[best]",
-        "keep = \"patterns\"\n[set]\n\"stop.iterations\" = 150\n[best]",
+        "keep = \"patterns\"\n[set]\n\"stop.iterations\" = 150\n\"stop.change\" = 0\n[best]",
     );
     let bench = Bench::new(&sweep);
     bench.whole("cold", 2);
