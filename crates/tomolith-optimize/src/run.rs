@@ -647,7 +647,7 @@ impl<F: Field> State<F> {
         Some(changes.sum::<f64>() / STEADY as f64)
     }
 
-    /// Rise of the IoU from the last measured print but those of the last steps to the last one.
+    /// Rise of the IoU up to the last print that was measured, from the last one at least [`STEADY`] steps before it.
     fn rise(&self) -> Option<f64> {
         let mut measured = self.history.iter().rev().filter_map(|row| {
             let iou = row.print.and_then(|print| print.iou)?;

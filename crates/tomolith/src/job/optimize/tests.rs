@@ -1,6 +1,7 @@
 use super::start::starting_patterns;
 use super::watch::{idle, is_measured};
 use crate::field::HostField;
+use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::optimize::*;
 use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
@@ -269,6 +270,18 @@ fn an_optimization_ends_where_its_loss_hardly_changes() {
     assert_eq!(losses(&all[..ended.len()]), losses(&ended));
     let by_gradient = format!("{more}\noptimizer = {{ gradient = {{}} }}");
     assert_eq!(history(&further, &by_gradient).0, StopReason::Iterations);
+    // So do runs from earlier patterns
+    let file = place.path().join("earlier.npz");
+    let earlier = optimized(gear_until("iterations = 0", more), place.path());
+    let pair = PatternPair {
+        light: None,
+        shown: &earlier.raw[0],
+        raw: None,
+    };
+    write_patterns(&file, &[pair], &Work::new()).unwrap();
+    let from_file = format!("{more}\nstart = {{ patterns = {{ file = {file:?} }} }}");
+    let steady = [more, &from_file].map(|more| gear(more).0.steady());
+    assert_eq!(steady, [0.0005, 0.0]);
 }
 
 #[test]

@@ -24,12 +24,13 @@ impl ResolvedJob {
         &self.spec.stop
     }
 
-    /// Mean change of the loss at which the optimization ends where the job names none; 0: never. A print in time is looked at anew on the way.
+    /// Mean change of the loss at which the optimization ends where the job names none; 0: never. A print in time is looked at anew on the way, and from patterns
+    /// that are good already the loss changes little while the print still does.
     pub(crate) fn steady(&self) -> f64 {
-        match self.is_optimized_in_time() {
-            true => 0.0,
-            false => self.method.steady(),
+        if self.is_optimized_in_time() || self.method.start.is_given() {
+            return 0.0;
         }
+        self.method.steady()
     }
 
     /// The bounds of the pixels of all lights.

@@ -137,8 +137,9 @@ tomolith_core::keys! {
         /// Norm of the projected gradient, relative to that of the start, at which it ends.
         #[schemars(range(min = 0.0))]
         pub projected_gradient: Option<f64>,
-        /// Mean change of the loss over five steps, relative to the loss, at which it ends; 0: never. When left out: 0.0005 for
-        /// `lbfgs` on the finest voxels, but not while the IoU there rises by more than half of `bounds.tolerance.iou` in these steps; never for other methods.
+        /// Mean change of the loss over five steps, relative to the loss, at which it ends; 0: never. When left out,
+        /// `lbfgs` ends at 0.0005 on the finest voxels, once the IoU there rises by no more than half of `bounds.tolerance.iou`; from given patterns, in time and for
+        /// other methods: never.
         #[schemars(range(min = 0.0))]
         pub change: Option<f64>,
         /// Iterations after which `change` is looked at; 0 when left out. From patterns that are good already the loss changes little while
