@@ -302,7 +302,7 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     if let (Some(after), None) = (stop.change_after, stop.change) {
         return Err(Error::config(
             "stop.change_after",
-            format!("{after} iterations without a change to look at"),
+            format!("{after}, but stop.change is not set"),
             "both stop.change and stop.change_after, or neither",
         ));
     }
