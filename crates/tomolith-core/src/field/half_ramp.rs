@@ -14,7 +14,7 @@
 //!
 //! **Layout** of a backend's data: frame by frame the active rows of every column ([`ColumnRun`]). Pixels that are no elements count as dark.
 //! **Bits** of the host: in f32, products rounded before they are added; M from the first to the last active column of a frame, then Mᵀ
-//! back; rows of short frames go side by side through the sixteen lanes of a pass. **Cost** two recursions, 16 operations a pixel, and a copy.
+//! back; rows of short frames go side by side through one pass. **Cost** two recursions, 16 operations a pixel, and a copy.
 
 use super::group::Group;
 use super::{Field as _, HostField, LANES};
@@ -22,6 +22,10 @@ use crate::parallel::InParallel;
 use std::ops::Range;
 use std::sync::Arc;
 use wide::f32x8;
+
+/// Rows of pixels that a pass through the columns filters side by side: their elements of a column are one stretch of memory, long enough that the next lines are
+/// there when they are asked for.
+const ROWS: usize = 4 * LANES;
 
 /// Zero and pole of each factor of M.
 pub const SECTIONS: [[f32; 2]; 2] = [[0.9142, 0.8573], [0.5014, 0.3186]];
@@ -52,7 +56,7 @@ pub trait HalfRampKernel<F>: Send + Sync {
     fn apply(&self, x: &F, out: &mut F);
 }
 
-/// [`HalfRampKernel`] in host memory: frames in batches of up to sixteen rows of pixels, which are filtered side by side.
+/// [`HalfRampKernel`] in host memory: frames in batches of up to [`ROWS`] rows of pixels, which are filtered side by side.
 #[derive(Clone, Debug)]
 pub struct HostHalfRamp(Arc<[Batch]>);
 
@@ -124,7 +128,7 @@ impl Batch {
                     .map_or(0, |last| last.lane + last.height)
             };
             match batches.last_mut() {
-                Some(batch) if rows(batch) + frame.height <= LANES => {
+                Some(batch) if rows(batch) + frame.height <= ROWS => {
                     frame.lane = rows(batch);
                     batch.columns.start = batch.columns.start.min(columns.start);
                     batch.columns.end = batch.columns.end.max(columns.end);
@@ -141,12 +145,12 @@ impl Batch {
         batches
     }
 
-    /// out ← P·x for its elements: sixteen rows at a time through all columns.
-    fn apply(&self, x: &[f32], out: &mut [f32], scratch: &mut Vec<[f32; LANES]>) {
+    /// out ← P·x for its elements: some rows at a time through all columns.
+    fn apply(&self, x: &[f32], out: &mut [f32], scratch: &mut Vec<[f32; ROWS]>) {
         let height = self.frames.iter().map(|frame| frame.height).max();
-        for row in (0..height.unwrap_or(0)).step_by(LANES) {
+        for row in (0..height.unwrap_or(0)).step_by(ROWS) {
             scratch.clear();
-            scratch.resize(self.columns.len(), [0.0; LANES]);
+            scratch.resize(self.columns.len(), [0.0; ROWS]);
             self.overlaps(row)
                 .for_each(|(column, [element, lane, count])| {
                     let lanes = &mut scratch[column][lane..][..count];
@@ -163,7 +167,7 @@ impl Batch {
         }
     }
 
-    /// What the runs have in common with the sixteen rows from `row` on above the lowest: the column of the batch; first element, first lane,
+    /// What the runs have in common with the rows of the pass from `row` on above the lowest: the column of the batch; first element, first lane,
     /// how many.
     fn overlaps(&self, row: usize) -> impl Iterator<Item = (usize, [usize; 3])> + '_ {
         self.frames.iter().flat_map(move |frame| {
@@ -177,7 +181,7 @@ impl Batch {
     }
 
     /// M ends with the last active column of a frame, which may come before that of its neighbors.
-    fn end_rows(&self, scratch: &mut [[f32; LANES]]) {
+    fn end_rows(&self, scratch: &mut [[f32; ROWS]]) {
         if let [_] = self.frames.as_slice() {
             return;
         }
@@ -214,21 +218,19 @@ impl HalfRampKernel<HostField> for HostHalfRamp {
     }
 }
 
-/// Copies a run of at most sixteen. A call takes longer than the copy itself, of all of them as of the single pixel of a slice.
+/// Copies a run. A call takes longer than the copy of the single pixel of a slice.
 fn copy(from: &[f32], to: &mut [f32]) {
-    if let (Some(from), Some(to)) = (from.first_chunk::<LANES>(), to.first_chunk_mut::<LANES>()) {
-        *to = *from;
-    } else if let ([from], [to]) = (from, &mut *to) {
+    if let ([from], [to]) = (from, &mut *to) {
         *to = *from;
     } else {
         to.copy_from_slice(from);
     }
 }
 
-/// What a run has in common with the sixteen rows from `row` on: first element, first lane, how many.
+/// What a run has in common with the rows of the pass from `row` on: first element, first lane, how many.
 fn overlap(run: &ColumnRun, row: usize) -> [usize; 3] {
     let begin = run.bottom.max(row);
-    let end = (run.bottom + run.count).min(row + LANES);
+    let end = (run.bottom + run.count).min(row + ROWS);
     if begin < end {
         [run.first + (begin - run.bottom), begin - row, end - begin]
     } else {
@@ -237,16 +239,19 @@ fn overlap(run: &ColumnRun, row: usize) -> [usize; 3] {
 }
 
 /// M along columns, in place.
-fn recur<'a>(columns: impl Iterator<Item = &'a mut [f32; LANES]>) {
+fn recur<'a>(columns: impl Iterator<Item = &'a mut [f32; ROWS]>) {
     let [[b1, a1], [b2, a2]] = SECTIONS.map(|section| section.map(f32x8::splat));
-    let (mut first, mut second) = (Group::default(), Group::default());
+    let mut states = [[Group::default(); 2]; ROWS / LANES];
     for column in columns {
-        let x = Group::of(column);
-        let y = x.zip(first, |x, s| x + s);
-        first = x.zip(y, |x, y| a1 * y - b1 * x);
-        let z = y.zip(second, |y, s| y + s);
-        second = y.zip(z, |y, z| a2 * z - b2 * y);
-        *column = z.to_array();
+        let lanes = column.as_chunks_mut::<LANES>().0;
+        for (lanes, [first, second]) in lanes.iter_mut().zip(&mut states) {
+            let x = Group::of(lanes);
+            let y = x.zip(*first, |x, s| x + s);
+            *first = x.zip(y, |x, y| a1 * y - b1 * x);
+            let z = y.zip(*second, |y, s| y + s);
+            *second = y.zip(z, |y, z| a2 * z - b2 * y);
+            *lanes = z.to_array();
+        }
     }
 }
 
