@@ -94,6 +94,11 @@ impl<'a> Doses<'a> {
         self.last = None;
     }
 
+    /// Lets go of the model of the last dose.
+    pub(crate) fn forget(&mut self) {
+        self.last = None;
+    }
+
     /// Doses of patterns.
     pub(crate) fn of(
         &mut self,

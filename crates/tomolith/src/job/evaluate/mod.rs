@@ -187,11 +187,13 @@ pub(crate) fn evaluate_patterns(
     let [written, own_turning] = steps.on_own_voxels(voxels, raw.is_some())?;
     let text = steps.words();
     progress.event(&Event::Note { text });
-    let fine = steps.fine_voxels(voxels)?;
-    let unrounded = steps.unrounded(&fine, raw)?;
+    let unrounded = steps.unrounded(voxels, raw)?;
     let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
     let stats = PatternStats::of(shown);
     let (doses, model) = steps.while_turning()?;
+    // Only now: a dose takes as much memory again while it is brought into the order of arrays
+    let fine = steps.fine_voxels(voxels)?;
+    drop(steps);
     let mut published = None;
     let mut species = Vec::with_capacity(job.species.len());
     for (s, (fine, dose)) in fine.into_iter().zip(doses).enumerate() {

@@ -139,25 +139,27 @@ impl<'a> EvaluationSteps<'a> {
     /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
     pub(super) fn unrounded(
         &mut self,
-        fine: &[Voxels],
+        voxels: &[Voxels],
         raw: Option<&[Patterns]>,
     ) -> Result<Vec<Measure>> {
-        let is_gray = fine.iter().any(|voxels| voxels.target.gray);
+        let is_gray = voxels.iter().any(|voxels| voxels.target.gray);
         let has_few = self.job.evaluation().bit_depth < ENOUGH_BITS && !is_gray;
         let Some(raw) = raw.filter(|_| has_few) else {
             return Ok(Vec::new());
         };
         self.doses.will_show(&[raw, self.shown]);
         let (doses, _) = (self.doses).of(&self.turning, raw, &self.work.aside())?;
-        let found = self.headlines(fine, doses, 0.0)?;
+        let found = self.headlines(&self.fine_voxels(voxels)?, doses, 0.0)?;
         self.doses.will_show(&[self.shown]);
         Ok(found)
     }
 
     /// The doses of the written patterns while the vial turns, and the model that gave them.
-    pub(super) fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
+    pub(super) fn while_turning(&mut self) -> Result<(Vec<Volume<f32>>, String)> {
         let work = self.work.part(share::TURNING);
-        (self.doses).of(&self.turning, self.shown, &work)
+        let doses = (self.doses).of(&self.turning, self.shown, &work);
+        self.doses.forget();
+        doses
     }
 
     /// The headline number of every species, at the best threshold.
