@@ -1,7 +1,7 @@
 //! What one level of resolution hands to the next: the steps of [`optimize`](super::optimize).
 //!
 //! A level on the pixels of the one before goes on from its patterns. One on other pixels makes its own start first, which bounds them, and then takes the patterns
-//! of the level before, resampled. The first level takes those of the search for a ceiling where their loss is lower than that of the start.
+//! of the level before, resampled; below a ceiling that a search found it needs no start. The first level takes those of the search for a ceiling where their loss is lower than that of the start.
 
 use super::ceiling::{self, FoundCeiling};
 use super::checkpoint::{begin_anew, keep, lost};
@@ -98,18 +98,30 @@ impl<'a> Search<'a> {
         Ok(stage)
     }
 
-    /// The start of a level and the bounds that follow from it; None on the pixels of the level before.
+    /// The start of a level and the bounds that follow from it; None on the pixels of the level before, and where a ceiling holds them lower.
     pub(super) fn start(
         &mut self,
         i: usize,
         level: &'a Level,
         stage: &Stage<'_>,
     ) -> Result<Option<HostField>> {
-        let pixels = level.lights.iter().map(|light| &light.pixels).collect();
+        let pixels: Vec<_> = level.lights.iter().map(|light| &light.pixels).collect();
         if self.pixels.as_ref() == Some(&pixels) {
             return Ok(None);
         }
         let (job, work) = (self.job, self.work);
+        let lower = self.ceiling.as_ref().filter(|found| found.is_lower());
+        let lower = lower.filter(|_| job.stop().relative_loss.is_none());
+        if let (Some(found), Some(before)) = (lower, &self.pixels) {
+            // Far above the ceiling, so that the start of coarser voxels bounds as well
+            for ((highest, before), after) in self.highest.iter_mut().zip(before).zip(&pixels) {
+                highest.max *= before.frames() as f64 / after.frames() as f64;
+            }
+            self.bounds.clone_from(&self.highest);
+            found.lower(&mut self.bounds, level);
+            self.pixels = Some(pixels);
+            return Ok(None);
+        }
         let given = job.own_start(level)?;
         let (brightens, key) = (!self.is_resumed, self.key);
         let first = stage.first_patterns(given.as_ref(), brightens, self.cache, key, work)?;
