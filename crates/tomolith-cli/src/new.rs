@@ -97,9 +97,6 @@ enum Resin {
 }
 
 /// Writes the job.
-///
-/// # Errors
-/// [`Error::Config`] for a part that cannot be read or does not fit; [`Error::Io`].
 pub(crate) fn new(given: &NewArguments) -> Result<()> {
     let prints = given.file.as_os_str() == "-";
     if !prints {

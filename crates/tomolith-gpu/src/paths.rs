@@ -78,9 +78,7 @@ impl Geometry {
 
 impl GpuPaths {
     /// The model of a form on a card.
-    ///
-    /// # Errors
-    /// As [`GpuRays::new`]; [`Error::Resources`](tomolith_core::Error::Resources) where cells do not fit a binding.
+    /// Refuses what [`GpuRays::new`] refuses, and cells that do not fit a binding.
     pub(crate) fn new(gpu: &Gpu, form: &PathForm, work: &Work) -> Result<Self> {
         let straight = Masked {
             geometry: form.geometry.straight.clone(),

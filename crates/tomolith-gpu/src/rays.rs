@@ -259,9 +259,7 @@ pub(crate) struct Walk<'a> {
 
 impl GpuRays {
     /// The model of a form on a card.
-    ///
-    /// # Errors
-    /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where rays do not fit the card, or those of a column or a frame a binding.
+    /// Refuses rays that do not fit the card, and a column or a frame that does not fit a binding.
     pub(crate) fn new(gpu: &Gpu, form: &RayForm, work: &Work) -> Result<Self> {
         let geometry = gpu.shared(
             |known: &Geometry| Arc::ptr_eq(&known.data, &form.geometry),

@@ -180,9 +180,7 @@ impl DeviceLight {
 
 impl GpuStrips {
     /// The model of a form on a card.
-    ///
-    /// # Errors
-    /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a slice or a frame does not fit a binding of the card.
+    /// Refuses a slice or a frame that does not fit a binding.
     pub(crate) fn new(gpu: &Gpu, form: &StripForm, work: &Work) -> Result<Self> {
         must_fit(gpu, &form.geometry)?;
         let geometry = gpu.shared(

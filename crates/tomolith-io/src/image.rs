@@ -56,9 +56,6 @@ pub(super) fn read_stored(path: &Path) -> Result<Stored> {
 }
 
 /// Reads an image from memory; `path` only names it in errors.
-///
-/// # Errors
-/// [`Error::Format`] as in [`read_gray`].
 fn parse_gray(bytes: &[u8], extension: &str, path: &Path) -> Result<Stored> {
     let image = parser(extension, path)?(bytes).map_err(|found| bad(path, found))?;
     check_values(&image, path)?;

@@ -43,9 +43,6 @@ pub(super) fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
 }
 
 /// Writes an array.
-///
-/// # Errors
-/// Those of the file.
 pub(super) fn write_array<T: Element>(
     file: &mut impl Write,
     shape: &[usize],
@@ -117,9 +114,6 @@ impl<W: Write + Seek> ArchiveWriter<W> {
     }
 
     /// Adds an array.
-    ///
-    /// # Errors
-    /// Those of the file.
     pub(super) fn add<T: Element>(
         &mut self,
         name: &str,
@@ -131,9 +125,6 @@ impl<W: Write + Seek> ArchiveWriter<W> {
     }
 
     /// Adds an array of one text.
-    ///
-    /// # Errors
-    /// Those of the file.
     pub(super) fn add_text(&mut self, name: &str, text: &str) -> Result<()> {
         self.start(name, text.len())?;
         self.0
@@ -149,9 +140,6 @@ impl<W: Write + Seek> ArchiveWriter<W> {
     }
 
     /// Writes the list of arrays at the end.
-    ///
-    /// # Errors
-    /// The first one of the file.
     pub(super) fn finish(self) -> Result<()> {
         let sink = self.0.finish()?;
         sink.failed.map_or(Ok(()), Err)

@@ -26,9 +26,6 @@ use tomolith_core::work::Work;
 const LONGEST_HEADER: u64 = 1 << 20;
 
 /// Writes values that fit the grid.
-///
-/// # Errors
-/// Those of the file; [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn write(
     path: &Path,
     name: &str,

@@ -68,9 +68,6 @@ pub(super) fn file_and_name(path: &Path) -> (PathBuf, Option<String>) {
 
 impl Numbers {
     /// Reads one array; see the [module page](self).
-    ///
-    /// # Errors
-    /// [`Error::Io`]; [`Error::Format`] with what was found, and `accepted` as it is given.
     pub(super) fn read(path: &Path, accepted: &str) -> Result<Self> {
         let (path, name) = file_and_name(path);
         if is_archive(&path) {
@@ -469,9 +466,6 @@ impl Archive {
     }
 
     /// The name of the array that the caller names, or of the only one.
-    ///
-    /// # Errors
-    /// [`Error::Format`] with the names that there are.
     pub(super) fn chosen(&self, asked: Option<&str>) -> Result<String> {
         let names = self.names();
         let name = match (asked, &names[..]) {
@@ -496,17 +490,11 @@ impl Archive {
     }
 
     /// An array by its name.
-    ///
-    /// # Errors
-    /// [`Error::Format`] when it is not there or no array of numbers.
     pub(super) fn numbers(&mut self, name: &str) -> Result<Numbers> {
         self.array(name, |array, length| Numbers::parse(array, length))
     }
 
     /// The content of an array by its name, header and all.
-    ///
-    /// # Errors
-    /// [`Error::Format`] when it is not there or damaged.
     pub(super) fn bytes(&mut self, name: &str) -> Result<Vec<u8>> {
         self.array(name, |array, _| {
             let mut bytes = Vec::new();

@@ -27,9 +27,6 @@ const CHUNK: usize = 64;
 const GZIP: u32 = 1;
 
 /// Writes values that fit the grid.
-///
-/// # Errors
-/// Those of the files; [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn write(
     path: &Path,
     name: &str,

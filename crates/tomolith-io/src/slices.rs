@@ -193,9 +193,6 @@ pub(super) fn is_tiff(path: &Path) -> bool {
 }
 
 /// The pages of a TIFF as an array `[z, y, x]` of the numbers that are stored.
-///
-/// # Errors
-/// As [`read_stack`], but of any numbers.
 pub(super) fn read_volume(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
     let pages = tiff_pages(path)?;
     let size = |page: &Stored| [page.pixels.rows, page.pixels.columns];

@@ -27,9 +27,6 @@ use tomolith_core::work::Work;
 const MOST_STANDARD: usize = (u32::MAX - (1 << 26)) as usize;
 
 /// Writes values that fit the grid.
-///
-/// # Errors
-/// Those of the file; [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn write(path: &Path, grid: &VolumeGrid, values: Values<'_>, work: &Work) -> Result<()> {
     write_whole_under(path, work, values.bytes(), |file| {
         let written = match values.bytes() > MOST_STANDARD {

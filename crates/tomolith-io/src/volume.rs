@@ -70,9 +70,6 @@ impl Values<'_> {
     }
 
     /// Refuses values that are not as many as the grid has voxels.
-    ///
-    /// # Errors
-    /// [`Error::Shape`].
     pub(super) fn must_fit(&self, grid: &VolumeGrid, name: &str, path: &Path) -> Result<()> {
         if self.len() == grid.len() {
             return Ok(());

@@ -19,9 +19,7 @@ pub(crate) struct Lights {
 }
 
 impl Lights {
-    /// # Errors
-    /// [`Error::Config`](tomolith_core::Error::Config) where schedule, mixing matrix and lights do not fit;
-    /// [`Error::Unsupported`](tomolith_core::Error::Unsupported) where voxels do not.
+    /// Refuses schedule, mixing matrix, lights and voxels that do not fit each other.
     pub(crate) fn new(
         optics: Vec<Box<Model>>,
         schedule: Schedule,

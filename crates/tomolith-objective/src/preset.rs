@@ -219,9 +219,7 @@ pub(crate) struct Shares {
 
 impl Shares {
     /// The shares of a target of part and void.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for a gray target, and for a surface that the model does not have.
+    /// Refuses a gray target, and a surface that the model does not have.
     pub(crate) fn new(
         surface: SurfaceHandling,
         input: &ObjectiveInput,
@@ -317,18 +315,12 @@ pub(crate) const LARGEST: f64 = 1e9;
 pub(crate) const HIGHEST_POWER: f64 = 100.0;
 
 /// Refuses what is below 0 or too large for a weight.
-///
-/// # Errors
-/// [`Error::Config`] naming the key.
 pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
     let accepted = format!("a number from 0 to {LARGEST:e}");
     in_range((0.0..=LARGEST).contains(&value), key, value, accepted)
 }
 
 /// Refuses `low` at or above `high`.
-///
-/// # Errors
-/// [`Error::Config`] naming the key of `low`.
 pub(crate) fn below(low_key: &str, low: f64, high_key: &str, high: f64) -> Result<()> {
     if low < high {
         return Ok(());

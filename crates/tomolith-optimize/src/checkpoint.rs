@@ -304,9 +304,6 @@ impl Checkpoints {
 
     /// Writes a checkpoint where there is room for it, and time where the run was asked to stop; on a full disk the next one comes when
     /// it would have come anyway. Tells when that begins and when it is over.
-    ///
-    /// # Errors
-    /// As [`write`](Self::write), but for a full disk and a request to stop.
     pub(super) fn try_write<F: Field>(
         &mut self,
         saved: Saved<'_, F>,
@@ -342,9 +339,7 @@ impl Checkpoints {
     }
 
     /// Writes a checkpoint.
-    ///
-    /// # Errors
-    /// [`Error::Io`]; [`Error::Canceled`] and [`Error::Device`], and the one before stays.
+    /// An error leaves the one before.
     fn write<F: Field>(
         &mut self,
         saved: Saved<'_, F>,

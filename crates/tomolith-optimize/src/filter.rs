@@ -134,9 +134,7 @@ impl<F: Field> Projection<F> {
 }
 
 /// The projection of the problem's target, below-zero marks taken as 0; one adjoint call.
-///
-/// # Errors
-/// [`Error::Unsupported`] without a target, [`Error::Canceled`].
+/// Refuses a problem without a target.
 pub(super) fn target_projection<F: Field>(
     problem: &mut Problem<F>,
     filter: Filter,

@@ -351,9 +351,7 @@ fn number(value: f64, whole: bool) -> Value {
 }
 
 /// The points of a sweep, in the order of its table.
-///
-/// # Errors
-/// [`Error::Config`] for conditions that no point meets, and too many points.
+/// Refuses conditions that no point meets, and too many points.
 pub(crate) fn points(
     axes: &[Axis],
     when: &[Condition],
@@ -406,9 +404,7 @@ impl<'a> Sieve<'a> {
     }
 
     /// Whether a point meets all conditions, in their order: one that follows may rely on those before it.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for a condition that divides by 0 at this point: it would leave the point out without a word.
+    /// Refuses one that divides by 0 at this point: it would leave the point out without a word.
     fn passes(&mut self, point: &SweepPoint) -> Result<bool> {
         self.seen += 1;
         let value_of = |name: &str| named(self.axes, point, name);
@@ -450,10 +446,7 @@ pub(crate) fn words(axes: &[Axis], point: &SweepPoint) -> String {
         .join(", ")
 }
 
-/// How many combinations there are, before any condition.
-///
-/// # Errors
-/// [`Error::Config`] where these are too many to look at.
+/// How many combinations there are, before any condition; refuses more than can be looked at.
 fn combinations(axes: &[Axis], sample: Option<SampleSpec>, one_s: OneRun<'_>) -> Result<f64> {
     let Some((key, draw)) = sample.map(SampleSpec::drawing) else {
         let count: f64 = axes.iter().map(|axis| axis.values().len() as f64).product();

@@ -92,9 +92,6 @@ pub(crate) fn check(spec: &StudySpec) -> Result<()> {
 
 impl Study {
     /// Refuses words that name a run which its sweep does not have, at this size.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with file and line.
     pub(crate) fn must_have_runs(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
         each(&self.spec, |reference| {
             let Some(plan) = plans.get(reference.name) else {

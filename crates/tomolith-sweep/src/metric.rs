@@ -104,9 +104,6 @@ fn names(table: &str, is_end: bool) -> Option<Vec<&'static str>> {
 }
 
 /// Refuses, before any run, a metric that no report has; `key` is the key that names it.
-///
-/// # Errors
-/// [`Error::Config`] with the nearest name.
 pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
     must_be_closed(path, key)?;
     let steps: Vec<&str> = path.split(['.', '[']).collect();

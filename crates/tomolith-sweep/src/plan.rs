@@ -170,10 +170,7 @@ impl Sweep {
         is_other.then_some(file)
     }
 
-    /// Notes in the folder of the results whose they are.
-    ///
-    /// # Errors
-    /// [`Error::Config`] where they are another sweep's, or the folder holds something else; [`Error::Io`].
+    /// Notes in the folder of the results whose they are; refuses those of another sweep, and a folder of something else.
     pub(crate) fn claim(&self, folder: &Path) -> Result<()> {
         must_be_made_for_results("folder", folder, OWNER).map_err(|e| self.document.locate(e))?;
         if let Some(other) = self.other_owner(folder) {

@@ -404,9 +404,6 @@ impl Study {
     }
 
     /// Refuses rows that name what is no axis of their sweep, or values that no run of the full size has, before any work.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with file and line.
     pub(crate) fn must_have_axes(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
         for (i, row) in self.spec.rows.iter().enumerate() {
             let Some(plan) = row.of.as_deref().and_then(|name| plans.get(name)) else {

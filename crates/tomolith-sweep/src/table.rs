@@ -39,9 +39,7 @@ pub(crate) struct Table<'p> {
 
 impl<'p> Table<'p> {
     /// Reads what is in the folders of the runs.
-    ///
-    /// # Errors
-    /// [`Error::Format`] for a report that cannot be read, or has no such number.
+    /// Refuses a report that cannot be read, or has no such number.
     pub(crate) fn collect(plan: &'p SweepPlan) -> Result<Self> {
         let states = (0..plan.runs.len())
             .map(|i| state(plan, i))

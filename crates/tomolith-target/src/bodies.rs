@@ -103,10 +103,6 @@ struct Group(Vec<MeshShape>);
 
 impl Assembly {
     /// Reads, places and examines the bodies of a target; `folder` is what files are relative to, `section` its table.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of the body: a file that cannot be used, components that do not match the file,
-    /// bodies that overlap, nothing to print; [`Error::Canceled`].
     pub(super) fn build(
         spec: &TargetSpec,
         bodies: &[BodySpec],

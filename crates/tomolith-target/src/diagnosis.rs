@@ -267,9 +267,7 @@ fn place(at: [f64; 3]) -> String {
 }
 
 /// Examines a mesh and makes it closed and outward.
-///
-/// # Errors
-/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and the caller does not force it; [`Error::Canceled`].
+/// Refuses one that encloses no volume, and one that cannot be repaired safely unless the caller forces it.
 pub(super) fn examine(
     mut mesh: Mesh,
     path: &Path,

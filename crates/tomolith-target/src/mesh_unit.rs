@@ -58,9 +58,7 @@ impl MeshUnit {
 pub const LONG_MM: f64 = 100.0;
 
 /// Reads the mesh of a table of the job, which may state its unit; lengths in that unit.
-///
-/// # Errors
-/// As [`read_mesh`]; [`Error::Config`] for an image, and for a unit with a 3MF file, which states its unit.
+/// Refuses an image, and a unit with a 3MF file, which states its unit.
 pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result<MeshFile> {
     let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
     if ["png", "tif", "tiff"].iter().any(|image| ending == **image) {

@@ -37,9 +37,6 @@ fn fraction(sum: f64) -> f32 {
 }
 
 /// Inside fraction of every voxel of `grid`, for a closed mesh in mm, less what lies in the negative one.
-///
-/// # Errors
-/// [`Error::Resources`] when the memory for the grid cannot be had; [`Error::Canceled`].
 pub(super) fn inside_fractions(
     mesh: &Mesh,
     negative: Option<&Mesh>,

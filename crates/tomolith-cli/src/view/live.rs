@@ -34,9 +34,6 @@ pub(crate) struct Live {
 
 impl Live {
     /// Serves a page for a run of this job.
-    ///
-    /// # Errors
-    /// [`tomolith::Error::Config`] for a port that is taken.
     pub(crate) fn start(
         job: &Job,
         address: Address,
@@ -62,9 +59,6 @@ impl Live {
     }
 
     /// Shows the finished run until the command is stopped.
-    ///
-    /// # Errors
-    /// Those of reading the run folder.
     pub(crate) fn finish(self, folder: &Path, work: &Work) -> Result<()> {
         self.site.finish(folder)?;
         self.server.serve_until(work);

@@ -52,9 +52,6 @@ pub(super) struct Server {
 
 impl Server {
     /// Begins to serve.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for a port that cannot be used.
     pub(super) fn start(site: &Arc<Site>, port: u16) -> Result<Self> {
         let refused = |e: std::io::Error| {
             Error::config(

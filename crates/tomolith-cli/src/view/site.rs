@@ -67,9 +67,6 @@ pub(super) struct Site {
 
 impl Site {
     /// Runs that have ended.
-    ///
-    /// # Errors
-    /// As [`read_runs`]; [`tomolith::Error::Io`] for a run whose page is missing or of an earlier version.
     pub(super) fn of_runs(folders: &[PathBuf]) -> Result<Self> {
         if let [folder] = folders
             && folder.join(TABLE).is_file()
@@ -194,9 +191,7 @@ impl Site {
     }
 
     /// A slice of the dose on the job's voxels across an array axis; None where there is none.
-    ///
-    /// # Errors
-    /// Those of reading the dose, which is done for the first slice.
+    /// The first slice reads the dose.
     pub(super) fn slice(
         &self,
         run: usize,

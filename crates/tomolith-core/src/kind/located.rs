@@ -439,9 +439,6 @@ impl<'v> EnumAccess<'v> for Variant<'v> {
 
 impl<'v> Variant<'v> {
     /// What it holds.
-    ///
-    /// # Errors
-    /// [`Failure`] for a bare name.
     fn held(&self, expected: &str) -> Result<Located<'v>, Failure> {
         let content = self.content.map(Located);
         content.ok_or_else(|| Failure::invalid_type(Unexpected::Str(self.name), &expected))

@@ -151,9 +151,6 @@ fn must_be_finite(path: &str, value: &Value) -> Result<()> {
 }
 
 /// Refuses the first number of a value that is beyond the range of its key; `root` has the definitions.
-///
-/// # Errors
-/// [`Error::Config`] with the key below `path`.
 pub(super) fn check(path: &str, value: &Value, schema: &Value, root: &Value) -> Result<()> {
     if let Some(range) = NumberRange::of(schema).filter(|range| range.refuses(value)) {
         let found = match value.as_f64() {

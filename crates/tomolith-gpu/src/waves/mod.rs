@@ -92,9 +92,7 @@ impl DeviceLight {
 
 impl GpuWaves {
     /// The model of a form on a card.
-    ///
-    /// # Errors
-    /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a frame does not fit a binding of the card.
+    /// Refuses a frame that does not fit a binding.
     pub(crate) fn new(gpu: &Gpu, form: &WaveForm, work: &Work) -> Result<Self> {
         let geometry = gpu.shared(
             |known: &Geometry| Arc::ptr_eq(&known.form, &form.geometry),

@@ -261,9 +261,6 @@ impl Parallel {
     }
 
     /// The model for a purpose: an optimization stores entries where there is room.
-    ///
-    /// # Errors
-    /// As [`under`](Self::under).
     pub(crate) fn for_purpose(
         vial: &dyn Vial,
         lights: Vec<Light>,

@@ -25,9 +25,6 @@ const COUNTED: usize = 2 * batch::CHUNK;
 
 impl Rays {
     /// The form of a model of scattered light, whose unscattered light is `straight`; None where what is scattered is more than a form says.
-    ///
-    /// # Errors
-    /// When the run is canceled.
     pub(crate) fn to_path_form(
         &self,
         straight: &Rays,

@@ -47,9 +47,6 @@ type Node = ([f64; 3], f64);
 
 impl FreeFlightKernel {
     /// K of every pattern for displacements of 0, 1, … cells along x, y, z; array order `[y][x][z]`.
-    ///
-    /// # Errors
-    /// When the run is canceled.
     pub(super) fn octants(
         self,
         patterns: &[Pattern],

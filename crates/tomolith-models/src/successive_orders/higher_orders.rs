@@ -268,9 +268,6 @@ impl HigherOrders {
     }
 
     /// dose += light scattered twice or more, of these fields of unscattered light
-    ///
-    /// # Errors
-    /// When the run is canceled.
     pub(super) fn add_forward(
         &self,
         sources: &[HostField],
@@ -307,9 +304,6 @@ impl HigherOrders {
     }
 
     /// Transpose of [`add_forward`](Self::add_forward): what each field of unscattered light gets.
-    ///
-    /// # Errors
-    /// When the run is canceled.
     pub(super) fn adjoint(&self, cotangent: &[f32], work: &Work) -> Result<Back<'_>> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);

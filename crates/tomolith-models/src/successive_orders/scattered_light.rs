@@ -191,9 +191,6 @@ impl ScatteredLight {
     }
 
     /// What is scattered out of this light, one of several, as data; None where its unscattered light has no such form.
-    ///
-    /// # Errors
-    /// When the run is canceled.
     pub(super) fn form(&self, work: &Work) -> Result<Option<scattered::ScatteredLight>> {
         let (Some((bins, source)), Some(shares)) =
             (self.straight.form(work)?, self.coarse.shares.clone())

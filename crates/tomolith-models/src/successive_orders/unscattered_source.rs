@@ -26,15 +26,9 @@ pub(super) trait UnscatteredSource: Send + Sync {
     fn channels(&self) -> &[Channel];
 
     /// The fields of some of this light's frames, for the values of its pixels.
-    ///
-    /// # Errors
-    /// When there is not enough memory; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn fields(&self, frames: Range<usize>, x: &[f32], work: &Work) -> Result<Vec<HostField>>;
 
     /// grad += transpose of [`fields`](Self::fields); `grad` has the pixels of all frames
-    ///
-    /// # Errors
-    /// As [`fields`](Self::fields).
     fn add_adjoint(
         &self,
         frames: Range<usize>,
@@ -47,8 +41,5 @@ pub(super) trait UnscatteredSource: Send + Sync {
     fn updates(&self) -> u64;
 
     /// The source as data: its bins, and their light on cells; None where that is too much.
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn form(&self, work: &Work) -> Result<Option<(Bins, LightOnCells)>>;
 }

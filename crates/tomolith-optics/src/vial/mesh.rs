@@ -137,9 +137,7 @@ fn inscribed(wall: &Surface) -> f64 {
 }
 
 /// A wall whose open ends, level rings that are the lowest or the highest of it, go on along the axis to ± `end_mm` and are closed there.
-///
-/// # Errors
-/// [`Error::Config`] for any other edge that is not shared by two triangles of one sense.
+/// Refuses any other edge that is not shared by two triangles of one sense.
 fn closed(mesh: &Mesh, end_mm: f64, key: &str) -> Result<Mesh> {
     let open = open_edges(mesh);
     let heights = mesh.vertices.iter().map(|v| v[2]);

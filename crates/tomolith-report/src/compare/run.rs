@@ -74,9 +74,6 @@ impl ComparedRun {
     }
 
     /// The dose, where there is one. Its voxels lie in the box of those that the run was evaluated on.
-    ///
-    /// # Errors
-    /// As [`read_volume`].
     pub(crate) fn read_dose(&self) -> Result<Option<Volume<f32>>> {
         let Some(path) = &self.dose else {
             return Ok(None);

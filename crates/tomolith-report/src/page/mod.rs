@@ -425,9 +425,6 @@ pub(crate) fn made_as(kind: &str) -> String {
 }
 
 /// What a comparison holds of each run, and its arrays.
-///
-/// # Errors
-/// Those of reading a dose.
 pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
     let mut blobs = Vec::new();
     let most = MOST_BYTES / runs.len().max(1);

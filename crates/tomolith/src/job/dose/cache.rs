@@ -82,9 +82,6 @@ impl RunCache {
     }
 
     /// The parts of a job on its grid: the cached ones where they are the same; else samples and caches them.
-    ///
-    /// # Errors
-    /// As [`ResolvedJob::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
     pub(crate) fn targets(&mut self, resolved: &ResolvedJob, work: &Work) -> Result<Vec<Target>> {
         if resolved.grid.len() > MOST_VOXELS {
             self.targets = None;
@@ -132,9 +129,6 @@ impl EvaluationModel {
 }
 
 /// What a job's model is known by, where one model serves optimization and evaluation; None where it does not.
-///
-/// # Errors
-/// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
 pub(crate) fn key(resolved: &ResolvedJob, voxels: &Voxels) -> Result<Option<u64>> {
     if !is_evaluated_alike(resolved)? {
         return Ok(None);

@@ -45,9 +45,6 @@ pub(crate) fn diffused(job: &ResolvedJob, model: HostModel) -> Result<HostModel>
 }
 
 /// The dose models of a level, joined to what the job is optimized against.
-///
-/// # Errors
-/// [`Error::Config`] where they do not fit.
 pub(crate) fn planned_in_time(
     job: &ResolvedJob,
     asked: Option<&Family>,

@@ -21,9 +21,6 @@ const VOXELS: usize = 32;
 const PATHS: usize = 100_000;
 
 /// Takes Monte Carlo paths for a job that names no model and whose probe by orders is far off; says so.
-///
-/// # Errors
-/// What the models and the target refuse; [`Error::Canceled`].
 pub(crate) fn try_orders(
     job: &mut ResolvedJob,
     progress: &mut dyn Progress,

@@ -82,9 +82,6 @@ pub(crate) fn exposed(
 
 /// Patterns of a file, one set per light of the job: `patterns.npz` or the run folder that holds it; or what a machine
 /// shows: a folder of frames, a `frames.npz`, a movie. And what people should know of them.
-///
-/// # Errors
-/// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine; [`Error::Canceled`].
 pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));

@@ -87,9 +87,7 @@ pub(crate) struct CheckpointPlan<'a> {
 
 /// Runs the optimizer of a job, or goes on from the checkpoint in its folder. Uses the cached model if it fits this job; otherwise builds one and
 /// caches it for the next run.
-///
-/// # Errors
-/// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
+/// What ends it early leaves the best patterns so far in the checkpoint folder.
 pub(crate) fn optimize(
     job: &ResolvedJob,
     voxels: &[Voxels],

@@ -30,9 +30,6 @@ pub(crate) struct Rehearsal {
 
 /// Makes the model, the start, the bounds and the first loss of every level, as [`optimize`](crate::job::optimize::optimize) does, and some iterations; `more` iterations are counted
 /// on the finest level.
-///
-/// # Errors
-/// What [`optimize`](crate::job::optimize::optimize) refuses before its first step; [`Error::Canceled`].
 pub(crate) fn rehearse(
     job: &ResolvedJob,
     voxels: &[Voxels],

@@ -32,9 +32,7 @@ const MOST: f64 = 2.0;
 type Times = Vec<[f64; 2]>;
 
 /// The patterns with rows rescaled.
-///
-/// # Errors
-/// [`Error::Config`](crate::Error::Config) for a network whose dose depends on the power; those of the print.
+/// Refuses a network whose dose depends on the power.
 pub(crate) fn level(
     job: &ResolvedJob,
     voxels: &[Voxels],

@@ -52,9 +52,6 @@ pub(crate) struct Done<'a> {
 }
 
 /// Writes everything to the folder's new files; what a run says first.
-///
-/// # Errors
-/// [`Error::Io`](crate::Error::Io), and what a format cannot hold.
 pub(crate) fn all(
     done: &Done<'_>,
     folder: &RunFolder,

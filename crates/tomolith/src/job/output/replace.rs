@@ -15,9 +15,6 @@ const NAMED: usize = 3;
 
 /// Refuses to replace a finished run of another job, unless the user asks for it or goes on from its checkpoint. Jobs are the same
 /// when their resolved tables are, but for `[output]` and `[resources]`.
-///
-/// # Errors
-/// [`Error::Config`] at `output.folder`, with the keys that differ.
 pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     let folder = job.folder();
     let goes_on = resume && folder.join("checkpoint").exists();

@@ -52,9 +52,6 @@ mod with_gpu {
 
     impl Card {
         /// The card that a key asks for; None for the processor.
-        ///
-        /// # Errors
-        /// [`Error::Config`] for what is no device, [`Error::Device`] where there is no such card.
         pub(crate) fn of(device: Option<&str>) -> Result<Option<Self>> {
             let Some((name, gives_way)) = super::asked(device)? else {
                 return Ok(None);
@@ -124,9 +121,6 @@ mod without {
 
     impl Card {
         /// None: the processor.
-        ///
-        /// # Errors
-        /// [`Error::Config`] for what is no device, [`Error::Device`] for a card.
         pub(crate) fn of(device: Option<&str>) -> Result<Option<Self>> {
             match super::asked(device)? {
                 None | Some((_, true)) => Ok(None),

@@ -11,9 +11,6 @@ use crate::target::Shape;
 pub(crate) const FIELDS: usize = 2;
 
 /// Refuses cells of a target without a surface, and with a model or a method that knows whole voxels only.
-///
-/// # Errors
-/// [`Error::Config`] with the key that asks for cells.
 pub(crate) fn must_fit(
     goal: &Goal,
     method: &Method,

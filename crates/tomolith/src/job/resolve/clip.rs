@@ -12,9 +12,6 @@ use crate::units::concise;
 const STRAY: f64 = 1e-3;
 
 /// Refuses a grid that cuts the part, unless the job asks for it; says how much is cut off.
-///
-/// # Errors
-/// [`Error::Config`] at `grid.shape` with both sizes.
 pub(crate) fn must_hold(
     spec: &GridSpec,
     grid: &VolumeGrid,

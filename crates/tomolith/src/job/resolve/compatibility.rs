@@ -30,9 +30,6 @@ const TOO_COARSE: f64 = 6.0;
 const DARK_INSIDE: f64 = 7.0;
 
 /// How far the target of a job may reach into a wall, mm.
-///
-/// # Errors
-/// [`Error::Config`] for less than nothing.
 pub(crate) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Result<f64> {
     match spec.target.wall_tolerance_mm {
         Some(asked) if !(asked.0.is_finite() && asked.0 >= 0.0) => Err(Error::config(
@@ -70,9 +67,6 @@ impl Optics {
 
     /// Refuses a target whose box is larger than the vial or the field: known before it is voxelized. Says by how much it touches the
     /// vial's wall.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with both sizes.
     pub(crate) fn must_hold(
         &self,
         spec: &JobSpec,
@@ -187,9 +181,6 @@ impl Optics {
     }
 
     /// Checks the voxels: refuses a target that lies outside the resin or the grid, up to a tolerance, and tells what is beyond the reach.
-    ///
-    /// # Errors
-    /// [`Error::Config`] when there is nothing to print, or part of it cannot be.
     pub(crate) fn warnings(
         &self,
         inside: &Volume<f32>,

@@ -43,9 +43,7 @@ pub(crate) struct FoundResponse {
 
 impl FreeParameters {
     /// Those of a job; None where it has none.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of a parameter that the response does not have, or of a range that is none or that it does not accept.
+    /// Refuses a parameter that the response does not have, and a range that is none or that it does not accept.
     pub(crate) fn of(spec: &JobSpec, base: &Path) -> Result<Option<Self>> {
         let Some(given) = &spec.co_optimize else {
             return Ok(None);

@@ -181,9 +181,6 @@ impl<F: Field> Objectives<F> {
 
 impl Goal {
     /// Reads what the job of a species asks; `base` is where its files begin.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of what is no kind, or of a parameter.
     pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let response = response(&Section::new("response", spec.response.clone()).based(base))?;
         let sections = spec.objectives()?.into_iter();

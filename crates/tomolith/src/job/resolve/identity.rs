@@ -115,9 +115,6 @@ pub(crate) fn take_files(target: &mut TargetSpec, base: &Path, found: &mut Vec<u
 
 impl ResolvedJob {
     /// What the parts of all species on the job's grid are known by.
-    ///
-    /// # Errors
-    /// [`Error::Io`] for a file that cannot be read.
     pub(crate) fn identity_of_parts(&self) -> Result<u64> {
         let mut parts = vec![hash(format!("{:?}", self.grid).as_bytes())];
         for s in 0..self.species.len() {

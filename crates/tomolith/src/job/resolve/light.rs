@@ -13,9 +13,7 @@ const ACROSS: usize = 16;
 const CUT: f64 = 1e-3;
 
 /// What may be wrong with the light of rays; nothing is traced where the model is none of rays.
-///
-/// # Errors
-/// [`Error::Config`] for a light that never reaches the resin, with where it ends.
+/// Refuses a light that never reaches the resin, and says where it ends.
 pub(crate) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<String>> {
     let family = optics.family(grid)?;
     if !family.capabilities().is_traced {

@@ -11,9 +11,6 @@ use tomolith_material::Absorption;
 use tomolith_material::shaded::Shaded;
 
 /// Refuses shading of light that no model follows through a resin that absorbs differently from place to place.
-///
-/// # Errors
-/// [`Error::Config`] with the model's reason.
 pub(crate) fn must_be_shaded(job: &ResolvedJob) -> Result<()> {
     let work = Work::new();
     let lights = Lights::new(job, Vec::new(), &work);

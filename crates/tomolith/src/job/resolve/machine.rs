@@ -36,9 +36,7 @@ pub(crate) fn printers(
 }
 
 /// The largest pattern value in the time that the print may take, and that time.
-///
-/// # Errors
-/// [`Error::Config`] when the dose that turns the resin solid is not known.
+/// Refuses a resin whose critical dose is not known.
 pub(crate) fn white_in_time(spec: &JobSpec, goal: &Goal) -> Result<Option<(f64, f64)>> {
     let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
         return Ok(None);

@@ -54,9 +54,6 @@ fn penalty(i: usize, value: &Value) -> Result<(f64, Arc<dyn MakePenalty>)> {
 
 impl Method {
     /// Reads the method of a job; `base` is where its files begin.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of what is no kind, or of a parameter.
     pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
         let optimizer = section("optimizer", &spec.optimizer);

@@ -216,9 +216,6 @@ impl ResolvedJob {
     }
 
     /// The targets of all species on the job's voxels, sampled once.
-    ///
-    /// # Errors
-    /// As [`voxels`](Self::voxels), and where the start asks for doses that the material does not have.
     pub(crate) fn own_voxels(&self, work: &Work) -> Result<&[Voxels]> {
         if let Some(known) = self.voxels.get() {
             return Ok(known);
@@ -320,9 +317,6 @@ impl ResolvedJob {
     }
 
     /// What follows from all of it: more remarks, and what it needs in time, memory and disk.
-    ///
-    /// # Errors
-    /// [`Error::Config`](crate::Error::Config) where there is too little of one.
     fn finish(&mut self, folder: &Path) -> Result<()> {
         let notes = self.printers.iter().flatten().flat_map(Printer::notes);
         self.warnings.extend(notes.cloned());

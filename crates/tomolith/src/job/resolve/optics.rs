@@ -62,10 +62,7 @@ pub(crate) struct Optics {
 }
 
 impl Optics {
-    /// The vial and the lights of a job, as the optimization sees them.
-    ///
-    /// # Errors
-    /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
+    /// The vial and the lights of a job, as the optimization sees them; `base` is the folder of the job file.
     pub(crate) fn new(spec: &JobSpec, base: &Path) -> Result<Self> {
         Self::with_models(spec, base, &[])
     }
@@ -215,9 +212,6 @@ impl Optics {
     }
 
     /// Puts the inserts of a target into the light.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for an insert that has no surface.
     pub(crate) fn add_inserts(&mut self, shape: &dyn Shape) -> Result<()> {
         let meshes = shape.body(Role::Insert).map(Shape::meshes);
         for mesh in meshes.into_iter().flatten() {

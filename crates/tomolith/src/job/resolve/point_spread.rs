@@ -8,9 +8,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// What `light[i].psf` names; None where a pixel keeps its light.
-///
-/// # Errors
-/// [`Error::Config`] at that key with the file and what is wrong with it.
 pub(crate) fn of_light(
     i: usize,
     light: &LightSpec,

@@ -31,9 +31,6 @@ pub(crate) struct Scenario {
 }
 
 /// The scenarios of a job, on its voxels.
-///
-/// # Errors
-/// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
 pub(crate) fn of_job(resolved: &ResolvedJob) -> Result<Vec<Scenario>> {
     let given = &resolved.spec.scenario;
     if given.is_empty() {

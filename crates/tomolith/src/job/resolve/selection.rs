@@ -16,9 +16,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// What a table chooses; `key` is its path, `base` the folder of the job file.
-///
-/// # Errors
-/// [`Error::Config`] with the key: an image that cannot be used, a vial without edges, no pixel left.
+/// Refuses an image that cannot be used, a vial without edges, and a choice of no pixel.
 pub(crate) fn selection_of(
     spec: &SelectionSpec,
     key: &str,

@@ -12,9 +12,6 @@ use serde_json::Value;
 
 impl ResolvedJob {
     /// All tables but some, with every default written out.
-    ///
-    /// # Errors
-    /// [`Error::Config`](crate::Error::Config) for what no table can hold.
     pub(crate) fn tables(&self, without: &[&str]) -> Result<Value> {
         tables_of(&self.spec, without)
     }

@@ -50,9 +50,6 @@ impl Species {
     }
 
     /// All species of a job: one at least.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for what does not go together, in the table of the species where that says it; those of files.
     pub(crate) fn of_job(
         job: &Job,
         method: &Method,
@@ -102,9 +99,6 @@ impl Species {
 }
 
 /// Refuses parts that vial or light do not hold, on a grid if there is one; asks for the unit of those that are far too large or small.
-///
-/// # Errors
-/// [`Error::Config`] with both sizes.
 pub(crate) fn must_be_held(
     species: &mut [Species],
     spec: &JobSpec,
@@ -126,9 +120,6 @@ pub(crate) fn must_be_held(
 }
 
 /// Refuses parts smaller than a voxel, or cut by the grid; says how much that cuts off.
-///
-/// # Errors
-/// [`Error::Config`] with both sizes.
 pub(crate) fn must_be_on(
     species: &[Species],
     spec: &JobSpec,

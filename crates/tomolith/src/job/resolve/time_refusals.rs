@@ -149,9 +149,6 @@ fn must_begin_as_the_resin(spec: &JobSpec) -> Result<()> {
 }
 
 /// Refuses surface-aware cells where patterns are optimized against what diffuses or is used up between voxels.
-///
-/// # Errors
-/// [`Error::Config`] at the key that asks for cells.
 pub(crate) fn must_be_whole(spec: &JobSpec, goal: &Goal) -> Result<()> {
     let material = spec.material.as_ref();
     let against = spec.schedule.as_ref().map(|given| given.optimize);
@@ -302,9 +299,6 @@ fn must_tell_turns_apart(spec: &JobSpec, given: &ScheduleSpec) -> Result<()> {
 }
 
 /// Refuses a step of time that is not stable on these voxels, and a print of more stable steps than can be taken.
-///
-/// # Errors
-/// [`Error::Config`] with the longest step that is stable, or at the key that makes the steps so many.
 pub(crate) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
     let Some(given) = &spec.schedule else {
         return Ok(());

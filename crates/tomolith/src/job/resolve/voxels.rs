@@ -108,9 +108,6 @@ impl ResolvedJob {
     }
 
     /// What people should know of voxels beyond the reach of light, of regions without voxels, and of scenarios in which the job would warn them otherwise.
-    ///
-    /// # Errors
-    /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
     pub(crate) fn warnings_of(&self, voxels: &[Voxels]) -> Result<Vec<String>> {
         let mut found = self.warned(&self.optics, voxels)?;
         let regions = self.species.iter().zip(voxels).map(|(species, voxels)| {

@@ -366,9 +366,6 @@ fn by_evaluation(
 }
 
 /// What the unknowns of the optimizer's model are.
-///
-/// # Errors
-/// What the model refuses; [`Error::Canceled`](crate::error::Error::Canceled).
 pub(crate) fn quantity(job: &ResolvedJob, work: &Work) -> Result<Quantity> {
     let lights = &Sample::least(job, timed_by(job)?).lights(job);
     let optics = job.optics.scene().lit_by(lights);

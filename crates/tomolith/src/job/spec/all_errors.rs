@@ -139,9 +139,6 @@ fn minimized(spec: &JobSpec, base: &Path) -> Result<()> {
 }
 
 /// The weight of a penalty.
-///
-/// # Errors
-/// [`Error::Config`] where it is missing or no number.
 pub(crate) fn penalty_weight(i: usize, weight: Option<&Value>) -> Result<f64> {
     weight.and_then(Value::as_f64).ok_or_else(|| {
         Error::config(

@@ -46,9 +46,6 @@ pub(crate) fn of_network(name: &str) -> String {
 }
 
 /// Refuses a name whose file another name, or every run, has.
-///
-/// # Errors
-/// [`Error::Config`] with the names that are taken.
 pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
     let of_every_run = OUTPUTS
         .iter()

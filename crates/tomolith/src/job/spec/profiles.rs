@@ -72,9 +72,6 @@ pub(crate) fn open(root: &mut Value) {
 }
 
 /// Puts the numbers of profiles in place of their names; keys of the job stand above those of the profile.
-///
-/// # Errors
-/// [`Error::Config`] for a name that no profile has; [`Error::Io`] and [`Error::Format`] for a file.
 pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
     open(root);
     for table in TABLES {

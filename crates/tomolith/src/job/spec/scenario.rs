@@ -13,9 +13,7 @@ const TABLES: [&str; 5] = ["vial", "resin", "light", "motion", "bath"];
 
 impl JobSpec {
     /// The same tables with some keys set otherwise; `base` is where their files begin.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key: one of another table, set twice, unknown, or beyond its range.
+    /// Refuses a key of another table, one set twice, an unknown one, and one beyond its range.
     pub(crate) fn changed(&self, set: &Map<String, Value>, base: &Path) -> Result<JobSpec> {
         let mut root = self.to_value()?;
         let mut seen: Vec<String> = Vec::new();

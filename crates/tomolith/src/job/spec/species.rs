@@ -44,9 +44,7 @@ impl JobSpec {
     }
 
     /// M, a row per species; None where all lights drive one species alike.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for names that are missing, unknown or used twice, and factors that are no numbers.
+    /// Refuses names that are missing, unknown or used twice, and factors that are no numbers.
     pub(crate) fn mixing(&self) -> Result<Option<Vec<Row>>> {
         if self.species.is_empty() {
             return Ok(None);

@@ -143,9 +143,6 @@ const MOVIE_S: f64 = 8.0;
 
 impl NetworkInTime {
     /// The middle slice as it grows, 8 s long.
-    ///
-    /// # Errors
-    /// [`Error::Io`], or what an encoder refuses.
     pub(crate) fn write_movie(&self, path: &Path, work: &Work) -> Result<()> {
         let [_, ny, nx] = self.labels.grid.shape;
         let grid = PatternGrid::full_turn(self.slices.len(), 0.0, ny, nx, 1.0);
@@ -168,9 +165,6 @@ impl NetworkInTime {
 }
 
 /// Shows patterns to the material of a job; None where it has no schedule.
-///
-/// # Errors
-/// [`Error::Config`] where models, schedule and material do not fit; [`Error::Canceled`].
 pub(crate) fn print_in_time(
     job: &ResolvedJob,
     voxels: &[Voxels],

@@ -10,9 +10,6 @@ use crate::units::concise;
 
 impl Optics {
     /// Refuses a target whose box no frame of a light covers: sideways, or along the axis where its light passes the axis.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key that would change it.
     pub(crate) fn must_be_in_the_fields(
         &self,
         spec: &JobSpec,
