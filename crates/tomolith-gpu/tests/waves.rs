@@ -17,8 +17,7 @@ use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::HostModel;
 use tomolith_models::masked::MaskedModel;
-use tomolith_models::wave::incoherent_cone::{self, IncoherentCone};
-use tomolith_models::wave::{Entrance, Params, Wave};
+use tomolith_models::wave::{self, Entrance, Params, incoherent_cone};
 use tomolith_optics::light::Light;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::index_matched::IndexMatched;
@@ -63,7 +62,7 @@ fn waves(name: &'static str, lights: Vec<Light>, params: &Params, grid: VolumeGr
     let vial = if grid.shape[2] > 40 { WIDE } else { VIAL };
     Case {
         name,
-        host: Box::new(Wave::new(&vial, lights, params, grid).unwrap()),
+        host: Box::new(wave::model(&vial, lights, params, grid).unwrap()),
         binding: 1 << 20,
     }
 }
@@ -105,7 +104,7 @@ fn cases() -> Vec<Case> {
         focus_mm: 1e-3,
         ..incoherent_cone::Params::default()
     };
-    let cones = IncoherentCone::new(&VIAL, vec![light(3), clear(2)], &cone, grid());
+    let cones = incoherent_cone::model(&VIAL, vec![light(3), clear(2)], &cone, grid());
     vec![
         waves("plain, turning frames", vec![turning], &plain, grid()),
         waves(

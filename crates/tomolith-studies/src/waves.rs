@@ -8,7 +8,7 @@ mod twin;
 use tomolith::Error;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
-use tomolith::models::wave::{Params, Wave};
+use tomolith::models::wave::{self, Params};
 use tomolith::models::{DoseModel, Work};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
@@ -33,7 +33,7 @@ fn tight_window(pitch: f64) -> f64 {
 }
 
 /// What stands between the first and the last bracket of a model's description.
-fn sampling_of(model: &Wave) -> String {
+fn sampling_of(model: &impl DoseModel) -> String {
     let described = model.describe();
     let begin = described.find('(').map_or(0, |i| i + 1);
     let end = described.rfind(')').unwrap_or(described.len());
@@ -64,7 +64,7 @@ fn light_of_model(
     let vial = IndexMatched {
         radius_mm: pitch * n as f64,
     };
-    let model = Wave::new(&vial, vec![light], params, grid)?;
+    let model = wave::model(&vial, vec![light], params, grid)?;
     let mut field = model.new_patterns()?;
     let values: Vec<f32> = x.iter().map(|&v| v as f32).collect();
     field.copy_from_host(&values);

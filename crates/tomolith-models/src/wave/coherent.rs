@@ -11,12 +11,16 @@
 
 use super::beam::Beam;
 use super::depth_interpolation::DepthInterpolation;
-use super::light::Propagation;
+use super::light::{Propagation, SpreadingForm};
+use super::lights::{Lights, ModelPropagation};
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, complex, zero};
+use crate::{DoseModel, Work};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use tomolith_core::dose::waves::{FieldTap, Transfer, WaveMode};
+use tomolith_core::error::Result;
+use tomolith_core::field::HostField;
 use tomolith_fourier::Complex;
 
 /// Where W falls.
@@ -366,9 +370,18 @@ impl<T: Number> Coherent<T> {
     }
 }
 
-impl Coherent<f32> {
-    /// The modes as data; None with a tapered limit.
-    pub(super) fn modes_form(&self) -> Option<Vec<WaveMode>> {
+impl ModelPropagation for Coherent<f32> {
+    const MODEL: &'static str = super::KIND.name;
+
+    fn modes(&self) -> usize {
+        self.modes.len()
+    }
+
+    /// Not with a tapered band limit.
+    fn form(&self) -> Option<SpreadingForm> {
+        if self.limit != BandLimit::Hard {
+            return None;
+        }
         let numbers = |values: &[Complex<f32>]| values.iter().map(|v| [v.re, v.im]).collect();
         let depths = 0..self.windows.sampling.transformed().count;
         let mode_form = |(wave, mode): (usize, &Mode)| {
@@ -385,16 +398,27 @@ impl Coherent<f32> {
                 },
             }
         };
-        let modes = self.modes.iter().enumerate();
-        (self.limit == BandLimit::Hard).then(|| modes.map(mode_form).collect())
-    }
-
-    /// Of each depth where light is wanted the fields that it is a sum of, and the transpose.
-    pub(super) fn sums_form(&self) -> [Vec<Vec<FieldTap>>; 2] {
-        (self.interpolation.as_ref()).map_or_else(
+        let sums = (self.interpolation.as_ref()).map_or_else(
             || alone(self.windows.sampling.along.computed.count),
             DepthInterpolation::form,
-        )
+        );
+        let modes = self.modes.iter().enumerate();
+        Some((modes.map(mode_form).collect(), sums))
+    }
+
+    /// F′(x)d and F(d): the fields of x and of d, multiplied.
+    fn along(
+        lights: &Lights<Self>,
+        x: &HostField,
+        d: &HostField,
+        work: &Work,
+    ) -> Result<Vec<HostField>> {
+        let mut terms = [lights.new_dose()?, lights.new_dose()?];
+        for (light, layout) in lights.each() {
+            let doses = terms.each_mut().map(HostField::as_mut_slice);
+            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, work)?;
+        }
+        Ok(terms.into())
     }
 }
 
@@ -457,11 +481,5 @@ impl<T: Number> Propagation<T> for Coherent<T> {
             self.windows.multiply_by(depth, samples, row, twice, field);
         };
         self.pull_back(scratch, ask, take);
-    }
-
-    fn operations(&self) -> f64 {
-        let [image, depth] = self.windows.operations();
-        let depths = self.windows.sampling.transformed().count * self.modes.len();
-        3.0 * (image + depths as f64 * depth)
     }
 }

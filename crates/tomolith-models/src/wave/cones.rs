@@ -12,12 +12,17 @@
 //! T: the Fourier transform of a uniform disc, any text on optics (Goodman, *Introduction to Fourier Optics*, eq. 2-35); J₁: Bessel's integral.
 
 use super::beam::{Spreading, fade, over_the_band};
-use super::light::Propagation;
+use super::coherent::alone;
+use super::light::{Propagation, SpreadingForm};
+use super::lights::{Lights, ModelPropagation};
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
+use crate::{DoseModel, Work};
 use std::f64::consts::{PI, TAU};
 use tomolith_core::dose::waves::{Transfer, WaveMode};
+use tomolith_core::error::Result;
+use tomolith_core::field::HostField;
 use tomolith_fourier::Complex;
 
 /// Directions of the light of a pixel.
@@ -165,13 +170,33 @@ impl<T: Number> Cones<T> {
     }
 }
 
-impl Cones<f32> {
-    /// The cone as data: a single mode.
-    pub(super) fn modes_form(&self) -> Vec<WaveMode> {
-        vec![WaveMode {
+impl ModelPropagation for Cones<f32> {
+    const MODEL: &'static str = super::incoherent_cone::KIND.name;
+
+    fn modes(&self) -> usize {
+        1
+    }
+
+    fn form(&self) -> Option<SpreadingForm> {
+        let mode = WaveMode {
             weight: 1.0,
             transfer: Transfer::Each(self.transfers.clone()),
-        }]
+        };
+        Some((
+            vec![mode],
+            alone(self.windows.sampling.along.computed.count),
+        ))
+    }
+
+    fn along(
+        lights: &Lights<Self>,
+        _x: &HostField,
+        d: &HostField,
+        work: &Work,
+    ) -> Result<Vec<HostField>> {
+        let mut term = lights.new_dose()?;
+        lights.dose(d, &mut term, work)?;
+        Ok(vec![term])
     }
 }
 
@@ -217,11 +242,6 @@ impl<T: Number> Propagation<T> for Cones<T> {
             }
         }
         self.windows.transform_back(scratch, take);
-    }
-
-    fn operations(&self) -> f64 {
-        let [image, depth] = self.windows.operations();
-        2.0 * (image + self.transfers.len() as f64 * depth)
     }
 }
 

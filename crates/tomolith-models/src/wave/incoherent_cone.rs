@@ -25,13 +25,13 @@
 //! ```
 //! use tomolith_core::field::HostField;
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Work, wave::incoherent_cone::{Params, IncoherentCone}};
+//! use tomolith_models::{DoseModel, Work, wave::incoherent_cone::{self, Params}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 65, 65, 0.002), Resin::pure_radon(1.5));
 //! let params = Params { half_angle_deg: 2.0, focus_mm: -0.5, ..Params::default() };
 //! let vial = IndexMatched { radius_mm: 1.0 };
-//! let model = IncoherentCone::new(&vial, vec![light], &params, VolumeGrid::centered([65, 65, 1], 0.002)).unwrap();
+//! let model = incoherent_cone::model(&vial, vec![light], &params, VolumeGrid::centered([65, 65, 1], 0.002)).unwrap();
 //! let mut x = model.new_patterns().unwrap();
 //! x.as_mut_slice()[32 * 65 + 32] = 1.0; // the pixel in the middle
 //! let mut dose = model.new_dose().unwrap();
@@ -42,20 +42,16 @@
 //! assert!((dose.values.iter().sum::<f32>() - 1.0).abs() < 1e-3); // nothing is lost
 //! ```
 
-use super::coherent::alone;
 use super::cones::{Cone, Cones};
-use super::light::Propagation;
 use super::lights::{Lights, affordable_windows, beyond, heights_of, turning};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, TimedBy, Work,
+    ModelKind, OpticalScene, TimedBy,
 };
-use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -153,23 +149,14 @@ impl ModelFamily for Params {
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        Ok(Box::new(IncoherentCone::new(
-            input.scene.vial,
-            lights,
-            self,
-            grid,
-        )?))
+        Ok(Box::new(model(input.scene.vial, lights, self, grid)?))
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        let model = IncoherentCone::new(input.scene.vial, lights, self, grid)?;
-        Ok(model.form())
+        Ok(model(input.scene.vial, lights, self, grid)?.form())
     }
 }
-
-/// See the [module page](self).
-pub struct IncoherentCone(Lights<Cones<f32>>);
 
 /// Bytes that frames at work take in addition to patterns and doses.
 fn working_bytes(
@@ -188,88 +175,24 @@ fn working_bytes(
     lights.iter().map(of_light).sum()
 }
 
-impl IncoherentCone {
-    /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
-    ///
-    /// # Errors
-    /// [`Error::Config`](tomolith_core::Error::Config) where rows of pixels and of voxels do not fit;
-    /// [`Error::Unsupported`](tomolith_core::Error::Unsupported) where [`beyond`] says why.
-    pub fn new(
-        vial: &dyn Vial,
-        lights: Vec<Light>,
-        params: &Params,
-        grid: VolumeGrid,
-    ) -> Result<Self> {
-        let settings = &params.settings();
-        let build = |light: &Light, layout: &DoseLayout, _, first| {
-            let cone = params.cone(light);
-            let propagate = |windows| Cones::new(windows, &cone);
-            turning(vial, light, &cone, settings, layout, first, propagate)
-        };
-        Ok(IncoherentCone(Lights::new(
-            settings.model,
-            vial,
-            lights,
-            grid,
-            build,
-        )?))
-    }
-}
-
-impl DoseModel for IncoherentCone {
-    type Field = HostField;
-
-    fn facts(&self) -> Facts<'_> {
-        Facts {
-            patterns: &self.0.patterns,
-            outputs: std::slice::from_ref(&self.0.output),
-            z_coupling: self.0.halo(),
-            is_linear: true,
-        }
-    }
-
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(self.facts().host_field(space))
-    }
-
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        work: &Work,
-    ) -> Result<()> {
-        self.0.add_dose(frames, x, dose, work)
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        work: &Work,
-    ) -> Result<()> {
-        self.0.pull_back(frames, x, cotangent, grad, work)
-    }
-
-    fn updates(&self) -> u64 {
-        self.0.updates()
-    }
-
-    /// Not of a single slice.
-    fn form(&self) -> Option<Form> {
-        let spreading = |cones: &Cones<f32>| {
-            let depths = cones.windows().sampling.along.computed.count;
-            Some((cones.modes_form(), alone(depths)))
-        };
-        let summary = self.0.described(|_| String::new());
-        self.0.form(spreading, KIND.name, summary)
-    }
-
-    fn describe(&self) -> String {
-        format!("incoherent_cone ({})", self.0.described(|_| String::new()))
-    }
+/// The model of an index-matched vial, its lights and the voxels where dose is wanted.
+///
+/// # Errors
+/// [`Error::Config`](tomolith_core::Error::Config) where rows of pixels and of voxels do not fit;
+/// [`Error::Unsupported`](tomolith_core::Error::Unsupported) where a vial or a light is [`beyond`] it.
+pub fn model(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<impl DoseModel<Field = HostField> + use<>> {
+    let settings = &params.settings();
+    let build = |light: &Light, layout: &DoseLayout, _, first| {
+        let cone = params.cone(light);
+        let propagate = |windows| Cones::new(windows, &cone);
+        turning(vial, light, &cone, settings, layout, first, propagate)
+    };
+    Lights::new(settings.model, vial, lights, grid, build)
 }
 
 #[cfg(test)]
@@ -297,8 +220,8 @@ mod tests {
             ..Params::default()
         };
         let grid = VolumeGrid::centered([20, 18, 16], 0.05);
-        let model = IncoherentCone::new(&VIAL, vec![light(3), light(2)], &params, grid).unwrap();
-        let found = check::model::model(&model, 3).unwrap();
+        let cones = model(&VIAL, vec![light(3), light(2)], &params, grid).unwrap();
+        let found = check::model::model(&cones, 3).unwrap();
         assert!(found.adjoint_error < 2e-6, "{found:?}");
     }
 
@@ -311,8 +234,7 @@ mod tests {
             half_angle_deg: 0.0,
             ..Params::default()
         };
-        let spread =
-            IncoherentCone::new(&VIAL, vec![light.clone()], &params, grid.clone()).unwrap();
+        let spread = model(&VIAL, vec![light.clone()], &params, grid.clone()).unwrap();
         let parallel = Parallel::new(&VIAL, vec![light.clone()], grid).unwrap();
         let mut x = spread.new_patterns().unwrap();
         for (i, value) in x.as_mut_slice().iter_mut().enumerate() {

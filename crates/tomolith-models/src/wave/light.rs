@@ -33,8 +33,6 @@ pub(super) trait Propagation<T: Number>: Send + Sync {
         scratch: &mut Scratch<T>,
         take: &mut dyn FnMut(usize, &[Complex<T>]),
     );
-    /// Multiplications and additions of the Fourier transforms of one frame's dose and pullback.
-    fn operations(&self) -> f64;
 }
 
 /// How light spreads, as data: its modes, sums of fields at depths, and their transpose.

@@ -9,10 +9,11 @@ use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::parallel::is_straight;
-use crate::{DoseLayout, PatternLayout, Work, ZCoupling};
+use crate::{DoseLayout, DoseModel, PatternLayout, Work, ZCoupling};
 use std::ops::Range;
 use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::waves::WaveGeometry;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -39,14 +40,30 @@ pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
     }
 }
 
-/// All lights of a model.
-pub(super) struct Lights<P: Propagation<f32>> {
-    pub(super) lights: Vec<WaveLight<f32, P>>,
-    pub(super) patterns: Vec<PatternLayout>,
-    pub(super) output: DoseLayout,
+/// What a model says of its propagation.
+pub(super) trait ModelPropagation: Propagation<f32> + Sized {
+    const MODEL: &'static str;
+    /// Images that light of a frame is the sum of.
+    fn modes(&self) -> usize;
+    /// How light spreads as data; None where no data say it.
+    fn form(&self) -> Option<SpreadingForm>;
+    /// The coefficients of [`DoseModel::along`].
+    fn along(
+        lights: &Lights<Self>,
+        x: &HostField,
+        d: &HostField,
+        work: &Work,
+    ) -> Result<Vec<HostField>>;
 }
 
-impl<P: Propagation<f32>> Lights<P> {
+/// A model: all its lights.
+pub(super) struct Lights<P: Propagation<f32>> {
+    lights: Vec<WaveLight<f32, P>>,
+    pub(super) patterns: Vec<PatternLayout>,
+    output: DoseLayout,
+}
+
+impl<P: ModelPropagation> Lights<P> {
     /// Lights that `build(light, layout of dose, which, first frame)` makes; `model`: key of the model.
     pub(super) fn new(
         model: &str,
@@ -80,12 +97,53 @@ impl<P: Propagation<f32>> Lights<P> {
         })
     }
 
-    fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, P>, &PatternLayout)> {
+    pub(super) fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, P>, &PatternLayout)> {
         self.lights.iter().zip(&self.patterns)
     }
 
-    /// dose += light of some frames
-    pub(super) fn add_dose(
+    /// The sampling of the lights, for people; equal lights share one line.
+    fn summary(&self) -> String {
+        let of_light = |light: &WaveLight<f32, P>| {
+            let s = &light.propagation.windows().sampling;
+            let depths = s.transformed();
+            let modes = match light.propagation.modes() {
+                1 => String::new(),
+                n => format!(", {n} modes"),
+            };
+            format!(
+                "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples{modes}",
+                depths.count,
+                concise(depths.step),
+                s.padded[0],
+                s.padded[1],
+                s.across.computed.count,
+            )
+        };
+        let mut lights: Vec<String> = self.lights.iter().map(of_light).collect();
+        lights.dedup();
+        lights.join("; ")
+    }
+}
+
+impl<P: ModelPropagation> DoseModel for Lights<P> {
+    type Field = HostField;
+
+    fn facts(&self) -> Facts<'_> {
+        // How far along z light reaches from its row
+        let reach = |light: &WaveLight<f32, P>| light.propagation.windows().sampling.guard[1];
+        Facts {
+            patterns: &self.patterns,
+            outputs: std::slice::from_ref(&self.output),
+            z_coupling: ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max)),
+            is_linear: P::IS_LINEAR,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
+
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -99,8 +157,7 @@ impl<P: Propagation<f32>> Lights<P> {
         Ok(())
     }
 
-    /// grad = F′(x)ᵀ cotangent, in the elements of some frames
-    pub(super) fn pull_back(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -111,80 +168,44 @@ impl<P: Propagation<f32>> Lights<P> {
         for (light, layout) in self.each() {
             let local = light.local_frames(&frames, layout);
             let grad = &mut grad.as_mut_slice()[layout.elements_of(local.clone())];
-            light.pull_back(
-                layout,
-                local,
-                x.as_slice(),
-                cotangent.as_slice(),
-                grad,
-                work,
-            )?;
+            let (x, cotangent) = (x.as_slice(), cotangent.as_slice());
+            light.pull_back(layout, local, x, cotangent, grad, work)?;
         }
         Ok(())
     }
 
-    /// How far along z light reaches from its row.
-    pub(super) fn halo(&self) -> ZCoupling {
-        let reach = |light: &WaveLight<f32, P>| light.propagation.windows().sampling.guard[1];
-        ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max))
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
+        P::along(self, x, d, work).map(Some)
     }
 
     /// Voxels times frames.
-    pub(super) fn updates(&self) -> u64 {
+    fn updates(&self) -> u64 {
         let heights = self.output.grid.shape[0];
         self.each()
             .map(|(light, p)| (light.turn.columns() * heights * p.grid.frames()) as u64)
             .sum()
     }
 
-    /// The model as data; None of a single slice, and where `spreading` gives none.
-    pub(super) fn form(
-        &self,
-        spreading: impl Fn(&P) -> Option<SpreadingForm>,
-        model: &'static str,
-        summary: String,
-    ) -> Option<Form> {
+    /// Not of a single slice, nor where the propagation has none.
+    fn form(&self) -> Option<Form> {
         if self.output.grid.shape[0] == 1 {
             return None;
         }
-        let of_light = |light: &WaveLight<f32, P>| Some(light.form(spreading(&light.propagation)?));
+        let of_light = |light: &WaveLight<f32, P>| Some(light.form(light.propagation.form()?));
         Some(Form::Waves(Masked::new(WaveGeometry {
             patterns: self.patterns.clone(),
             output: self.output.clone(),
-            z_coupling: self.halo(),
+            z_coupling: self.z_coupling(),
             is_linear: P::IS_LINEAR,
             lights: self.lights.iter().map(of_light).collect::<Option<_>>()?,
             updates: self.updates(),
-            model,
-            summary,
+            model: P::MODEL,
+            summary: self.summary(),
         })))
     }
 
-    /// Operations of the Fourier transforms of a dose and a pullback.
-    pub(super) fn operations(&self) -> f64 {
-        self.each()
-            .map(|(light, p)| p.grid.frames() as f64 * light.propagation.operations())
-            .sum()
-    }
-
-    /// The sampling of the lights, and what `more` says of each, for people; equal lights share one line.
-    pub(super) fn described(&self, more: impl Fn(&P) -> String) -> String {
-        let of_light = |light: &WaveLight<f32, P>| {
-            let s = &light.propagation.windows().sampling;
-            let depths = s.transformed();
-            format!(
-                "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples{}",
-                depths.count,
-                concise(depths.step),
-                s.padded[0],
-                s.padded[1],
-                s.across.computed.count,
-                more(&light.propagation)
-            )
-        };
-        let mut lights: Vec<String> = self.lights.iter().map(of_light).collect();
-        lights.dedup();
-        lights.join("; ")
+    fn describe(&self) -> String {
+        format!("{} ({})", P::MODEL, self.summary())
     }
 }
 

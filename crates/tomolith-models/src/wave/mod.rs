@@ -32,14 +32,14 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Work, wave::{Params, Wave}};
+//! use tomolith_models::{DoseModel, Work, wave::{self, Params}};
 //! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
 //! let vial = IndexMatched { radius_mm: 1.0 };
 //! // Voxels of 2 µm along x, the direction of the light, through the middle of the slit
 //! let grid = VolumeGrid::centered([2, 1, 201], 0.002);
-//! let model = Wave::new(&vial, vec![light], &Params::default(), grid).unwrap();
+//! let model = wave::model(&vial, vec![light], &Params::default(), grid).unwrap();
 //! let mut x = model.new_patterns().unwrap();
 //! x.as_mut_slice()[63 * 64..65 * 64].fill(1.0); // columns 63 and 64, all rows
 //! let mut dose = model.new_dose().unwrap();
@@ -71,7 +71,7 @@ mod window;
 
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Purpose, Quantity, TimedBy, Work,
+    ModelKind, OpticalScene, Purpose, Quantity, TimedBy,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
@@ -84,10 +84,8 @@ use sampling::FIELDS_COST;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2, TAU};
-use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -199,12 +197,12 @@ impl ModelFamily for Params {
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        Ok(Box::new(Wave::new(input.scene.vial, lights, self, grid)?))
+        Ok(Box::new(model(input.scene.vial, lights, self, grid)?))
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        Ok(Wave::new(input.scene.vial, lights, self, grid)?.form())
+        Ok(model(input.scene.vial, lights, self, grid)?.form())
     }
 }
 
@@ -230,45 +228,26 @@ struct Settings {
     fields_cost: f64,
 }
 
-/// See the [module page](self).
-pub struct Wave(Lights<Coherent<f32>>);
-
-impl Wave {
-    /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for pixels, voxels, wavelength and aperture that contradict each other, with the numbers that would work;
-    /// [`Error::Unsupported`] where [`beyond`] says why.
-    pub fn new(
-        vial: &dyn Vial,
-        lights: Vec<Light>,
-        params: &Params,
-        grid: VolumeGrid,
-    ) -> Result<Self> {
-        let settings = params.settings();
-        let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
-            light_of(vial, light, params, &settings, layout, which, first_frame)
-        };
-        let mut lights = Lights::new(settings.model, vial, lights, grid, build)?;
-        for patterns in &mut lights.patterns {
-            patterns.quantity = Quantity::Amplitude;
-        }
-        Ok(Wave(lights))
+/// The model of an index-matched vial, its lights and the voxels where dose is wanted.
+///
+/// # Errors
+/// [`Error::Config`] for pixels, voxels, wavelength and aperture that contradict each other, with the numbers that would work;
+/// [`Error::Unsupported`] where a vial or a light is [`beyond`] it.
+pub fn model(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<impl DoseModel<Field = HostField> + use<>> {
+    let settings = params.settings();
+    let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
+        light_of(vial, light, params, &settings, layout, which, first_frame)
+    };
+    let mut lights = Lights::new(settings.model, vial, lights, grid, build)?;
+    for patterns in &mut lights.patterns {
+        patterns.quantity = Quantity::Amplitude;
     }
-
-    /// How it is sampled, for people.
-    fn summary(&self) -> String {
-        self.0.described(|waves| match waves.modes.len() {
-            1 => String::new(),
-            n => format!(", {n} modes"),
-        })
-    }
-
-    /// Additions and multiplications of the Fourier transforms of a dose and a pullback together.
-    #[must_use]
-    pub fn operations(&self) -> f64 {
-        self.0.operations()
-    }
+    Ok(lights)
 }
 
 /// Bytes that frames at work take in addition to patterns and a dose, in an optimization or in one dose.
@@ -439,66 +418,4 @@ fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
         mode.weight = 1.0 / count as f64;
     }
     modes
-}
-
-impl DoseModel for Wave {
-    type Field = HostField;
-
-    fn facts(&self) -> Facts<'_> {
-        Facts {
-            patterns: &self.0.patterns,
-            outputs: std::slice::from_ref(&self.0.output),
-            z_coupling: self.0.halo(),
-            is_linear: false,
-        }
-    }
-
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(self.facts().host_field(space))
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        work: &Work,
-    ) -> Result<()> {
-        self.0.pull_back(frames, x, cotangent, grad, work)
-    }
-
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        work: &Work,
-    ) -> Result<()> {
-        self.0.add_dose(frames, x, dose, work)
-    }
-
-    /// F′(x)d and F(d): the fields of x and of d, multiplied.
-    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
-        let mut terms = [self.new_dose()?, self.new_dose()?];
-        for (light, layout) in self.0.lights.iter().zip(&self.0.patterns) {
-            let doses = terms.each_mut().map(HostField::as_mut_slice);
-            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, work)?;
-        }
-        Ok(Some(terms.into()))
-    }
-
-    fn updates(&self) -> u64 {
-        self.0.updates()
-    }
-
-    /// Not of a single slice, nor with a tapered band limit.
-    fn form(&self) -> Option<Form> {
-        let spreading = |waves: &Coherent<f32>| Some((waves.modes_form()?, waves.sums_form()));
-        self.0.form(spreading, KIND.name, self.summary())
-    }
-
-    fn describe(&self) -> String {
-        format!("wave ({})", self.summary())
-    }
 }

@@ -3,6 +3,7 @@
 use super::light::Propagation;
 use super::*;
 use crate::PatternLayout;
+use crate::Work;
 use std::f64::consts::PI;
 use tomolith_core::check;
 use tomolith_core::check::noise;
@@ -57,7 +58,6 @@ fn through(aperture: f64) -> Params {
     }
 }
 
-/// A light in f64, and the layouts of its patterns and of its dose.
 type Precise = (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout);
 
 /// A light in f64, with the layout of its patterns and of its dose.
@@ -380,8 +380,8 @@ fn the_model_of_a_job_is_an_exact_pair_in_f32() {
         },
     ] {
         let lights = vec![light(3), light(2)];
-        let model = Wave::new(&VIAL, lights, &params, grid()).unwrap();
-        let found = check::model::model(&model, 4).unwrap();
+        let waves = model(&VIAL, lights, &params, grid()).unwrap();
+        let found = check::model::model(&waves, 4).unwrap();
         assert!(found.adjoint_error < 2e-6, "{found:?}");
     }
 }
@@ -631,7 +631,7 @@ fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
 
 #[test]
 fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
-    let refused = |light: Light, params: &Params, grid: VolumeGrid| match Wave::new(
+    let refused = |light: Light, params: &Params, grid: VolumeGrid| match model(
         &VIAL,
         vec![light],
         params,
@@ -673,20 +673,18 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
         inner_radius_mm: 8.0,
         refractive_index: 1.52,
     };
-    let found = Wave::new(&vial, vec![bent], &default, grid())
-        .err()
-        .unwrap();
+    let found = model(&vial, vec![bent], &default, grid()).err().unwrap();
     assert!(found.to_string().contains("refracts"), "{found}");
 }
 
 #[test]
 fn the_dose_along_a_line_is_the_quadratic_that_is_stated() {
-    let model = Wave::new(&VIAL, vec![light(2)], &Params::default(), grid()).unwrap();
-    let [mut x, d] = [1, 2].map(|seed| check::noisy_patterns(&model, seed));
-    let terms = model.along(&x, &d, &Work::new()).unwrap().unwrap();
-    let at_x = check::dose(&model, &x);
+    let waves = model(&VIAL, vec![light(2)], &Params::default(), grid()).unwrap();
+    let [mut x, d] = [1, 2].map(|seed| check::noisy_patterns(&waves, seed));
+    let terms = waves.along(&x, &d, &Work::new()).unwrap().unwrap();
+    let at_x = check::dose(&waves, &x);
     x.axpy(0.7, &d);
-    let mut expected = check::dose(&model, &x);
+    let mut expected = check::dose(&waves, &x);
     let size = f64::from(expected.max_abs());
     expected.axpy(-1.0, &at_x);
     for (power, term) in (1..).zip(&terms) {

@@ -6,8 +6,7 @@ use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
 use tomolith::models::rays::{self, Optics, Rays};
-use tomolith::models::wave::incoherent_cone::{self, IncoherentCone};
-use tomolith::models::wave::{self, Wave};
+use tomolith::models::wave::{self, incoherent_cone};
 use tomolith::models::{DoseModel, Work};
 use tomolith::optics::absorption_map::AbsorptionMap;
 use tomolith::optics::light::Light;
@@ -145,7 +144,7 @@ fn cones_are_shaded_along_their_middle() {
         half_angle_deg,
         ..incoherent_cone::Params::default()
     };
-    let cones = IncoherentCone::new(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
+    let cones = incoherent_cone::model(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
     let optics = Optics {
         projector: Arc::new(Telecentric {
             pixel_pitch_mm: [0.1; 2],
@@ -171,7 +170,7 @@ fn cones_are_shaded_along_their_middle() {
 fn waves_are_shaded_along_their_way() {
     let vial = IndexMatched { radius_mm: 2.5 };
     let params = wave::Params::default();
-    let waves = Wave::new(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
+    let waves = wave::model(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
     // Pixels of 0.1 mm hardly diffract
     let [off, unshaded] = off_shaded(Arc::new(waves), &|map| Box::new(parallel(FRAMES, map)));
     assert!(off < 0.06, "{off} {unshaded}");
