@@ -725,7 +725,6 @@ fn warn_of_scatter(answer: &mut Answer, fit: &DoseFit) {
     }
 }
 
-/// A channel by its name.
 fn channel(name: &str) -> Result<Channel, String> {
     let known = Channel::ALL.into_iter();
     let mut found = known.filter(|channel| channel.name() == name);

@@ -287,7 +287,6 @@ fn machine(
     })
 }
 
-/// A range with its unit.
 fn range(window: Window, unit: &str) -> String {
     let text = |value: Option<f64>, none: &str| {
         value.map_or_else(|| none.to_owned(), |v| significant(v, 4))

@@ -90,7 +90,6 @@ fn list(families: &[KindFamily], tables: &[TablePage]) {
     );
 }
 
-/// The keys of a table.
 fn keys(table: &TablePage) -> String {
     let (open, close) = if table.is_list {
         ("[[", "]]")

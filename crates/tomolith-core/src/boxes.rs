@@ -528,7 +528,6 @@ fn least_surface(keys: &mut [Key], boxes: &[AlignedBox]) -> usize {
     keys.partition_point(|key| bin(key, axis) < cut)
 }
 
-/// The box of some of the things.
 fn joined(boxes: &[AlignedBox], things: impl Iterator<Item = u32>) -> AlignedBox {
     things.fold(AlignedBox::EMPTY, |all, i| all.joined(boxes[i as usize]))
 }

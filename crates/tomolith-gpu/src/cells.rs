@@ -107,7 +107,6 @@ impl DeviceCells {
         self.run("sharpen", &sharpen, &numbers, &buffers, count);
     }
 
-    /// One sharper field.
     pub(crate) fn sharper(&self, strength: [f32; 3], field: &Buffer) -> Buffer {
         let out = self.fields(1);
         self.sharpen(strength, 1, (field, 0), (&out, 0));

@@ -32,7 +32,6 @@ pub(crate) struct DeviceStrips {
     voxels: [usize; 2],
 }
 
-/// Rows of entries.
 pub(crate) struct Rows {
     count: usize,
     /// First entry of each row, and the one behind the last.
@@ -342,7 +341,6 @@ impl Chunk {
         self.by_voxel.bytes() / 99 * 100
     }
 
-    /// Keeps the entries.
     pub(crate) fn keep(&mut self, gpu: &Gpu, strips: &DeviceStrips) {
         self.keeps = true;
         strips.keep(gpu, &self.views, Axis::Voxels, &mut self.by_voxel);

@@ -47,7 +47,6 @@ pub(crate) struct Geometry {
     scattered: Vec<DeviceScattered>,
 }
 
-/// The rays of one light.
 struct DeviceLight {
     /// Offset, lowest row, rows and frame of each column of pixels.
     runs: Buffer,

@@ -304,7 +304,6 @@ impl DeviceOrders {
         }
     }
 
-    /// The weight of an order.
     fn weight(&self, order: usize) -> Matrix<'_> {
         self.matrix(2 * self.moments * self.channels + order, [1, 1])
     }

@@ -27,7 +27,6 @@ struct Geometry {
     lights: Vec<DeviceLight>,
     /// Where entries are written that are not stored.
     scratch: Option<Buffer>,
-    /// Bytes of all entries.
     entry_bytes: u64,
     updates: u64,
     scattered: Vec<DeviceScattered>,
@@ -38,7 +37,6 @@ struct DeviceLight {
     chunks: Vec<Chunk>,
     /// Offset, lowest row, rows and frame of each column of pixels.
     runs: Buffer,
-    /// The slot of each.
     slot_of: Buffer,
     /// The columns of pixels of each slot.
     sources: Buffer,

@@ -273,7 +273,6 @@ fn format_error(path: &Path, found: &str) -> Error {
     )
 }
 
-/// One frame.
 pub(super) struct Image {
     size: [usize; 2],
     bits: u32,

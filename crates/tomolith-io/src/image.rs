@@ -75,7 +75,6 @@ pub(super) fn check_values(image: &Stored, path: &Path) -> Result<()> {
 
 type Parse = fn(&[u8]) -> Result<Stored, String>;
 
-/// Extensions of images.
 pub(super) const EXTENSIONS: [&str; 3] = ["png", "tif", "tiff"];
 
 fn parser(extension: &str, path: &Path) -> Result<Parse> {

@@ -320,7 +320,6 @@ fn check_whole(collector: &Collector) -> Result<()> {
     Ok(())
 }
 
-/// An [`Error::Mesh`].
 fn bad(path: &Path, found: impl Into<String>, accepted: impl Into<String>) -> Error {
     Error::Mesh {
         path: PathBuf::from(path),

@@ -42,7 +42,6 @@ pub(super) fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
     bytes
 }
 
-/// Writes an array.
 pub(super) fn write_array<T: Element>(
     file: &mut impl Write,
     shape: &[usize],

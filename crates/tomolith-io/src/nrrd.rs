@@ -191,7 +191,6 @@ impl Fields {
     }
 }
 
-/// The type of numbers of a name.
 fn number_type(name: &str) -> Option<Kind> {
     Some(match name {
         "signed char" | "int8" | "int8_t" => Kind::Signed(1),

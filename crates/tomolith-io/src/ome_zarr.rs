@@ -50,7 +50,6 @@ pub(super) fn write(
 
 /// A number in a voxel.
 trait Sample: NoUninit + Default + PartialEq + Send + Sync {
-    /// Its type in Zarr.
     const TYPE: &'static str;
 
     /// The number of a voxel that covers these, which are one at least.

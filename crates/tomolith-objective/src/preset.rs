@@ -79,7 +79,6 @@ pub(crate) struct BandPreset {
 }
 
 impl BandPreset {
-    /// Bands of part and void.
     pub(crate) fn new([part, void]: [Band; 2], [p, q]: [f64; 2], surface: SurfaceHandling) -> Self {
         BandPreset {
             part,

@@ -83,7 +83,6 @@ pub struct Fista<F> {
 struct Fields<F> {
     /// x₋ between steps, y in one.
     before: F,
-    /// Its dose.
     dose: F,
     gradient: F,
     step: F,

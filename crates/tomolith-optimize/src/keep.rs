@@ -68,7 +68,6 @@ impl KeptBy {
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(super) struct Best {
     iteration: usize,
-    /// Its loss.
     pub(super) loss: f64,
     /// What was measured of it; lower is better.
     score: f64,

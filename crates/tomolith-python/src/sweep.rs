@@ -102,7 +102,6 @@ impl Host for Told<'_, '_> {
     }
 }
 
-/// A sweep of a study.
 struct OfStudy<'h, 'a> {
     name: String,
     observer: &'h Observer<'a>,

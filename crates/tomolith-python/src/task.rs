@@ -39,7 +39,6 @@ impl Task {
         Task { task, job, lights }
     }
 
-    /// The unknowns in images.
     fn unknowns(&self, what: &str, images: &Bound<'_, PyAny>) -> PyResult<HostField> {
         must_have_threads()?;
         let shapes: Vec<_> = self.lights.iter().map(|light| light.grid.shape()).collect();

@@ -22,7 +22,6 @@ const TAKEN: [&str; 5] = ["run", "state", "feasible", "error", "folder"];
 /// What is swept.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
-    /// Its name.
     pub(crate) name: String,
     /// The key of the job; none where cases name theirs.
     key: Option<String>,
@@ -604,7 +603,6 @@ fn hypercube(axes: &[Axis], draw: DrawSpec) -> Vec<SweepPoint> {
         .collect()
 }
 
-/// SplitMix64.
 struct SplitMix(u64);
 
 impl SplitMix {

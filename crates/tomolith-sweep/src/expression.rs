@@ -11,7 +11,6 @@ const DEEPEST: usize = 64;
 /// An arithmetic expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expression {
-    /// A number.
     Number(f64),
     /// What has a number elsewhere.
     Name(String),
@@ -37,7 +36,6 @@ impl Expression {
         }
     }
 
-    /// The names in it.
     pub(crate) fn names(&self) -> Vec<&str> {
         match self {
             Expression::Number(_) => Vec::new(),
@@ -69,7 +67,6 @@ pub(crate) struct Condition {
 }
 
 impl Condition {
-    /// Whether it is met.
     pub(crate) fn is_met(&self, value_of: &dyn Fn(&str) -> Option<f64>) -> bool {
         let (Some(left), Some(right)) = (self.left.value(value_of), self.right.value(value_of))
         else {
@@ -96,7 +93,6 @@ impl Condition {
         values.find(|value| !value.is_finite())
     }
 
-    /// The names in it.
     pub(crate) fn names(&self) -> Vec<&str> {
         [self.left.names(), self.right.names()].concat()
     }

@@ -46,7 +46,6 @@ pub(crate) fn remove_outdated(plan: &SweepPlan, folder: &Path) {
     }
 }
 
-/// The picture of a metric.
 fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let axes = &plan.sweep.axes;
     let caption = caption(plan, table, metric);

@@ -113,9 +113,7 @@ impl fmt::Display for Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum PublishedValue {
-    /// A number.
     Number(f64),
-    /// Words.
     Words(String),
     /// Nothing: a row that later ones compare.
     Nothing,

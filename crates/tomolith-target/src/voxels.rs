@@ -31,7 +31,6 @@ const TOLERANCE: f64 = 1e-3;
 /// is less than that is no material, but what rounding leaves of a sum over surfaces that cancel.
 const STEP: f64 = 1.0 / (1 << 24) as f64;
 
-/// A sum as the fraction of a voxel.
 fn fraction(sum: f64) -> f32 {
     if sum < STEP { 0.0 } else { sum.min(1.0) as f32 }
 }

@@ -130,7 +130,6 @@ struct Machine {
 }
 
 impl Machine {
-    /// Its table.
     fn table(&self) -> String {
         let sense = if self.sense > 0.0 {
             "clockwise"

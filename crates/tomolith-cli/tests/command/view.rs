@@ -288,7 +288,6 @@ fn a_row_of_a_sweep_opens_its_run() {
     bench.refuse("view map --no-browser", &["table.json"]);
 }
 
-/// The events that the server sends.
 fn events(served: &Served) -> impl Iterator<Item = Value> + Send + use<> {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
     stream
@@ -304,7 +303,6 @@ fn events(served: &Served) -> impl Iterator<Item = Value> + Send + use<> {
     lines.filter_map(|line| serde_json::from_str(line.strip_prefix("data: ")?).ok())
 }
 
-/// Events until one of a kind.
 fn until(events: &mut impl Iterator<Item = Value>, kind: &str) -> Vec<Value> {
     let mut seen = Vec::new();
     for event in events {

@@ -13,7 +13,6 @@ const WANTED: &str = "a PLY file with an element `vertex` (x, y, z) and an eleme
 /// Corners of a face or a strip that are read at once: beyond that a count is damaged.
 const MOST_CORNERS: f64 = 1e9;
 
-/// The type of numbers of a name.
 fn number_type(name: &[u8]) -> Option<Kind> {
     Some(match name {
         b"char" | b"int8" => Kind::Signed(1),

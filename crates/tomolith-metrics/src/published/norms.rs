@@ -37,7 +37,6 @@ impl TargetBand<'_> {
     }
 }
 
-/// Norms of a band error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BandError {
     /// Voxels of the region.
@@ -79,7 +78,6 @@ impl BandError {
         };
     }
 
-    /// The error of all blocks.
     fn joined<'b>(blocks: impl Iterator<Item = &'b BandError>) -> BandError {
         let total = blocks.fold(BandError::default(), |a, b| a.and(*b));
         BandError {

@@ -102,7 +102,6 @@ impl Avx512 {
         }
     }
 
-    /// The taps of a chain.
     pub(super) fn find_taps(self, taps: &mut Taps, chain: &Chain, local: &Local) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: `self` proves that AVX-512F was detected.

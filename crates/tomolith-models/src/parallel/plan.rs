@@ -80,7 +80,6 @@ fn beams(
     }
 }
 
-/// The beams of each view.
 fn of_views(beams: &[Beam], count: usize) -> Vec<Range<usize>> {
     let mut of_view = vec![0..0; count];
     for (i, beam) in beams.iter().enumerate() {

@@ -24,7 +24,6 @@ const ROUNDING: f32 = 1e-3;
 /// Vectors of all parts of a turn that bounds are worth it for: those of sixteen cost as much as one of the dose. Each has a bit.
 const VECTORS: Range<usize> = 4..u64::BITS as usize + 1;
 
-/// Regions that are chosen.
 pub(super) struct Chosen {
     /// A bit for each vector, `[tile][patch]`.
     vectors: Vec<u64>,

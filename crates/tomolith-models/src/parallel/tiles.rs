@@ -283,7 +283,6 @@ impl Local {
 }
 
 impl TileEntries {
-    /// The entries of one strip.
     pub(super) fn of(&self, run: &StripRun) -> Entries<'_> {
         let range = run.begin as usize..run.end as usize;
         Entries {

@@ -160,7 +160,6 @@ impl UniformStrips {
         }
     }
 
-    /// The rows of a tile.
     fn rows(&self, tile: &Tile, major: Major) -> Rows {
         let (along, across) = major.axes();
         let [row, voxel] = [tile.start[along], tile.start[across]];

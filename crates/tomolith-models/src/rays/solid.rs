@@ -267,7 +267,6 @@ impl Solid {
     }
 }
 
-/// Meshes as one.
 fn together(meshes: &[&Mesh]) -> Mesh {
     let mut all = Mesh::default();
     for mesh in meshes {

@@ -117,7 +117,6 @@ impl Bins {
         (self.pixels.grid.pixel_mm2() / self.layout.grid.pixel_mm2()) as f32
     }
 
-    /// Rows of bins that are lit.
     fn lit_rows(&self) -> Range<usize> {
         let run = self.layout.runs.first().copied().unwrap_or_default();
         run.bottom as usize..(run.bottom + run.count) as usize

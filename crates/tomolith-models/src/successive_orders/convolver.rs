@@ -76,7 +76,6 @@ impl Convolver {
         self.frequencies() * self.padded[0] * self.padded[1]
     }
 
-    /// The transform of a field.
     pub(super) fn transform(&self, field: &[f32]) -> Spectrum {
         self.transform_of(self.cells, self.row, field)
     }

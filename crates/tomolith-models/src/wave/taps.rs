@@ -40,7 +40,6 @@ pub(super) const OVERHANG: f64 = 0.25;
 enum Kind {
     /// Light that is linear in its pixels.
     Light,
-    /// A field.
     Field,
     /// A field's square.
     Square,

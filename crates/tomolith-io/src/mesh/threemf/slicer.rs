@@ -103,7 +103,6 @@ impl Volumes {
         found.map_or(Role::Part, |(_, role)| *role)
     }
 
-    /// The role of a component.
     pub(super) fn of_component(&self, object: u32, component: u32) -> Role {
         let found = self.components.get(&(object, component));
         found.copied().unwrap_or_default()

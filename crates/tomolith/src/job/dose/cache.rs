@@ -109,7 +109,6 @@ impl RunCache {
         self.start = key.filter(|_| is_small).map(|key| (key, start));
     }
 
-    /// The cached model.
     pub(crate) fn evaluation_model(&self) -> Option<&EvaluationModel> {
         self.model.as_ref().map(|(_, model)| model)
     }

@@ -24,7 +24,6 @@ use crate::ranks::{Shares, frames_of_rank, together};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A light with some of its frames.
 fn with_frames(light: &Light, frames: &[usize]) -> Light {
     let mut part = light.clone();
     let all = &light.pixels.azimuths;

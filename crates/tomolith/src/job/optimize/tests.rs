@@ -56,7 +56,6 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
     (voxels.remove(0), plan, x)
 }
 
-/// Dose of a model at the voxels of the part.
 fn in_part(model: &dyn DoseModel<Field = HostField>, x: &HostField, voxels: &Voxels) -> Vec<f64> {
     let dose = crate::check::dose(model, x);
     let dose = model.outputs()[0].volume_of(dose.as_slice());

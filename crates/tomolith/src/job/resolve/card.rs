@@ -63,7 +63,6 @@ mod with_gpu {
             }
         }
 
-        /// The card.
         pub(crate) fn gpu(&self) -> &Gpu {
             &self.gpu
         }

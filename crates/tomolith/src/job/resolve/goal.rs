@@ -34,12 +34,10 @@ pub(crate) struct Objectives<F: Field> {
     base: PathBuf,
 }
 
-/// One objective of a job.
 #[derive(Clone)]
 pub(crate) struct JobObjective<F: Field = HostField> {
     /// Its key, without the kind's name.
     path: String,
-    /// Its key.
     pub(crate) key: String,
     pub(crate) common: Common,
     pub(crate) response: Arc<dyn Response>,
@@ -217,7 +215,6 @@ impl Goal {
         first.is_some_and(|first| first.path.starts_with("objectives["))
     }
 
-    /// The objectives.
     pub(crate) fn objectives(&self) -> &[JobObjective] {
         &self.on_host.all
     }

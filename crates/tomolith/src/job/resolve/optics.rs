@@ -37,7 +37,6 @@ const ROUNDING: f64 = 1e-9;
 
 /// What stands between the projectors and the resin.
 pub(crate) struct Optics {
-    /// The vial.
     pub(crate) vial: Box<dyn Vial>,
     /// Its kind's name in a job.
     pub(crate) vial_kind: &'static str,
@@ -399,7 +398,6 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
     })
 }
 
-/// What scatters in the resin.
 fn scattering_of(resin: &ResinSpec, phase: &Arc<dyn Phase>) -> Option<Scattering> {
     (resin.scattering_per_mm > 0.0).then(|| Scattering {
         per_mm: resin.scattering_per_mm,

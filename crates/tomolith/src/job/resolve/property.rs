@@ -28,7 +28,6 @@ pub(crate) struct PropertyMap {
     pub(crate) is_logarithmic: bool,
 }
 
-/// The properties of a job.
 pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
     let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
     let number = |key: String, name: Option<&str>| {

@@ -22,7 +22,6 @@ use serde_json::{Map, Value};
 
 /// What light meets, where that is not what the job says.
 pub(crate) struct Scenario {
-    /// Its name.
     pub(crate) name: String,
     /// Vial and lights.
     pub(crate) optics: Optics,

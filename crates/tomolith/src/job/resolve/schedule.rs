@@ -5,7 +5,6 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::spec::{Angles, JobSpec};
 use tomolith_material::schedule::{Schedule, Turns};
 
-/// The schedule of a job.
 pub(crate) fn schedule(spec: &JobSpec) -> Result<Schedule> {
     let given = spec.schedule.clone().unwrap_or_default();
     let turns: Vec<Turns> = spec

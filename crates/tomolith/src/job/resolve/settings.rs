@@ -76,7 +76,6 @@ impl ResolvedJob {
         memory_budget_mb(self.spec.resources.memory_gb)
     }
 
-    /// The names of the lights.
     pub(crate) fn names_of_lights(&self) -> impl Iterator<Item = Option<&str>> {
         self.spec.light.iter().map(|light| light.name.as_deref())
     }

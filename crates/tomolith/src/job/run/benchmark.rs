@@ -85,9 +85,7 @@ pub(crate) struct CallRates {
     pub(crate) making: CallRate,
     /// What the first call takes beyond others: walks that are kept.
     pub(crate) first: CallRate,
-    /// Dose calls.
     pub(crate) dose: CallRate,
-    /// Adjoint calls.
     pub(crate) adjoint: CallRate,
 }
 

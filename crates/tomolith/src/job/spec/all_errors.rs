@@ -138,7 +138,6 @@ fn minimized(spec: &JobSpec, base: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The weight of a penalty.
 pub(crate) fn penalty_weight(i: usize, weight: Option<&Value>) -> Result<f64> {
     weight.and_then(Value::as_f64).ok_or_else(|| {
         Error::config(

@@ -153,7 +153,6 @@ impl JobSpec {
         self.material.as_ref()?.photopolymer.as_ref()
     }
 
-    /// Its networks.
     pub(crate) fn networks(&self) -> &[Network] {
         self.photopolymer().map_or(&[], |params| &params.networks)
     }

@@ -24,7 +24,6 @@ pub(crate) fn parent(path: &str) -> &str {
     &path[..path.rfind(['.', '[']).unwrap_or(0)]
 }
 
-/// One step of a key path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Step {
     Key(String),
@@ -49,7 +48,6 @@ fn steps(path: &str) -> Option<Vec<Step>> {
     Some(steps)
 }
 
-/// The value at a path.
 pub(crate) fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
     steps(path)?.iter().try_fold(root, |node, step| match step {
         Step::Key(key) => node.get_mut(key),
