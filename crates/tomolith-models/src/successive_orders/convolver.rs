@@ -116,8 +116,8 @@ impl Convolver {
         spectrum
     }
 
-    /// field += the field of a spectrum, `weight` times
-    pub(super) fn add_field(&self, mut spectrum: Spectrum, weight: f32, field: &mut [f32]) {
+    /// field += the field of a spectrum
+    pub(super) fn add_field(&self, mut spectrum: Spectrum, field: &mut [f32]) {
         let [px, py, _] = self.padded;
         let [nx, _, nz] = self.cells;
         let nk = self.frequencies();
@@ -158,7 +158,7 @@ impl Convolver {
                             let lengths = self.from_z.process(of_line, line);
                             debug_assert!(lengths.is_ok());
                             for (sum, value) in column[..nz].iter_mut().zip(&*line) {
-                                *sum += weight * value;
+                                *sum += value;
                             }
                         }
                     }
@@ -268,7 +268,7 @@ mod tests {
                 let mut sum = vec![Complex::new(0.0, 0.0); convolver.len()];
                 kernel.add(&convolver.transform(&field), turned, &mut sum);
                 let mut found = vec![0.0; field.len()];
-                convolver.add_field(sum, 1.0, &mut found);
+                convolver.add_field(sum, &mut found);
                 for y in 0..ny {
                     for x in 0..nx {
                         for z in 0..nz {

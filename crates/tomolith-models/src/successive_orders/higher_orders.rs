@@ -208,7 +208,7 @@ impl HigherOrders {
                     self.kernel(a, b).add(source, false, &mut sum);
                 }
                 let mut field = vec![0.0; self.coarse.layout.len()];
-                self.convolver.add_field(sum, 1.0, &mut field);
+                self.convolver.add_field(sum, &mut field);
                 Ok(field)
             })
             .collect()
@@ -261,7 +261,7 @@ impl HigherOrders {
                     self.kernel(a, b).add(spectrum, true, &mut sum);
                 }
                 let mut field = vec![0.0; self.coarse.layout.len()];
-                self.convolver.add_field(sum, 1.0, &mut field);
+                self.convolver.add_field(sum, &mut field);
                 Ok(field)
             })
             .collect()

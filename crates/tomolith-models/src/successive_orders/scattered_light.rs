@@ -234,7 +234,7 @@ impl ScatteredLight {
             kernel.add(&spectrum, false, &mut once);
         }
         let mut cells = vec![0.0; self.coarse.layout.len()];
-        self.convolver.add_field(once, 1.0, &mut cells);
+        self.convolver.add_field(once, &mut cells);
         self.coarse.spread(&self.seen.of(&cells), dose);
         self.higher.add_forward(&sources, dose, work)
     }
@@ -259,7 +259,7 @@ impl ScatteredLight {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
             kernel.add(&once, true, &mut sum);
             let mut cells = vec![0.0; self.coarse.layout.len()];
-            self.convolver.add_field(sum, 1.0, &mut cells);
+            self.convolver.add_field(sum, &mut cells);
             let mut source = HostField::zeros(cells.len());
             source
                 .as_mut_slice()
