@@ -225,13 +225,11 @@ fn runs_are_compared_and_exported() {
     bench.done("run job.toml --quiet --output a");
     bench.done("run job.toml --quiet --output b --set stop.iterations=8");
     bench.write("mine.html", "<html>mine");
-    bench.refuse(
-        "compare a b --output mine.html",
-        &["`mine.html` is there already"],
-    );
-    bench.refuse(
-        "compare a b --output a/report.html",
-        &["`a/report.html` is there already"],
+    bench.refuse_each(
+        "$ compare a b --output mine.html
+        `mine.html` is there already
+        $ compare a b --output a/report.html
+        `a/report.html` is there already",
     );
     bench.done("compare a --output page.html --quiet");
     // An earlier comparison is replaced
@@ -453,17 +451,13 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
     bench.refuse("new job2.json", &["FILE", "ending in .toml"]);
     bench.refuse("kinds printer nope", &["`nope` of the table `printer`"]);
     bench.write("part.stl", "solid part\n");
-    bench.refuse(
-        "run part.stl",
-        &["a mesh", "tomolith new job.toml --part part.stl"],
-    );
-    bench.refuse(
-        "phantom gear --pitch-mm 1e300 --output gear.npy",
-        &["--pitch-mm: 1e300 mm", "at most 1000 mm"],
-    );
-    bench.refuse(
-        "compare a --output page.txt",
-        &["`page.txt` has another ending", ".html"],
+    bench.refuse_each(
+        "$ run part.stl
+        a mesh … tomolith new job.toml --part part.stl
+        $ phantom gear --pitch-mm 1e300 --output gear.npy
+        --pitch-mm: 1e300 mm … at most 1000 mm
+        $ compare a --output page.txt
+        `page.txt` has another ending … .html",
     );
 }
 
