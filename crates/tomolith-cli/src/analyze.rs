@@ -133,7 +133,6 @@ impl AnalyzeArguments {
     }
 }
 
-/// `tomolith analyze`.
 pub(crate) fn analyze(given: &AnalyzeArguments) -> Result<()> {
     match &given.what {
         What::Voxel(given) => voxel(given),

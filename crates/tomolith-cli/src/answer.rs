@@ -89,7 +89,6 @@ pub(crate) fn with_error(value: f64, error: Option<f64>) -> String {
     }
 }
 
-/// A share in per cent.
 pub(crate) fn percent(share: f64) -> String {
     format!("{} %", significant(100.0 * share, 3))
 }

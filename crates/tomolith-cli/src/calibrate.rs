@@ -202,7 +202,6 @@ impl CalibrateArguments {
     }
 }
 
-/// `tomolith calibrate`.
 pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
     match &given.fit {
         None => frames(given),

@@ -70,7 +70,6 @@ fn line(name: &str, text: &str) {
     say(&format!("{name:>14} {text}"));
 }
 
-/// What the machine has.
 fn machine() -> Result<Vec<(&'static str, String)>> {
     let isa = Isa::asked()?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);

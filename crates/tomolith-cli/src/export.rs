@@ -33,7 +33,6 @@ pub(crate) struct ExportArguments {
     pub(crate) manner: Manner,
 }
 
-/// `tomolith export`.
 pub(crate) fn export(given: &ExportArguments, work: &Work) -> Result<()> {
     let job = job_of_run(&given.run, given.printer.as_deref(), &given.set)?;
     let mut screen = Screen::new(given.manner);

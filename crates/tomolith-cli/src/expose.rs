@@ -85,7 +85,6 @@ fn missing(key: &str, what: &str, accepted: &str) -> Error {
     Error::config(key, format!("nothing says {what}"), accepted)
 }
 
-/// `tomolith expose`.
 pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     if given.trade_off {
         return trade_off::trade_off(given);

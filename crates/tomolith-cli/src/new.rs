@@ -14,7 +14,6 @@ use tomolith::target::build_under;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 
-/// Examples in the help.
 const EXAMPLES: &str = "\
 Examples:
   tomolith new gear.toml                                    asks for the rest
@@ -298,7 +297,6 @@ fn is_mesh(part: &str) -> bool {
     Path::new(part).extension().is_some()
 }
 
-/// The job.
 fn text(answers: &Answers, [columns, rows]: [usize; 2], offset_mm: Option<[f64; 2]>) -> String {
     let quoted = |text: &str| serde_json::Value::from(text).to_string();
     let size = answers.size_mm.map(concise);

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use tomolith::io::make_folder;
 use tomolith::{Error, Result};
 
-/// Prints the completions of a shell.
 pub(crate) fn completions(shell: Shell) {
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "tomolith", &mut text);

@@ -115,7 +115,6 @@ impl SweepArguments {
     }
 }
 
-/// The runs of the sweep.
 fn planned(given: &SweepArguments, ranks: Option<&Ranks>, work: &Work) -> Result<SweepPlan> {
     if let Some(ranks) = ranks.filter(|_| given.is_part()) {
         return Err(Error::config(

@@ -92,7 +92,6 @@ pub(crate) struct PhantomArguments {
     pub(crate) sampling: Sampling,
 }
 
-/// `tomolith voxelize`.
 pub(crate) fn voxelize(given: &VoxelizeArguments, work: &Work) -> Result<()> {
     let unit = |name: &String| MeshUnit::ALL.into_iter().find(|unit| unit.name() == name);
     if let Some(file) = &given.save_mesh {

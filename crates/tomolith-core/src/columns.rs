@@ -43,7 +43,6 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     table.rows.iter().map(pair).collect()
 }
 
-/// The text of a table.
 fn text_of(path: &Path) -> Result<String> {
     let is_no_table = |found: &str| Error::format(path, found, "a table as CSV text");
     if path.is_dir() {

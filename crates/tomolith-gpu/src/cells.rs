@@ -61,7 +61,6 @@ impl DeviceCells {
         &self.gpu
     }
 
-    /// Cells of a field.
     fn cells(&self) -> usize {
         self.shape[..3].iter().map(|&n| n as usize).product()
     }

@@ -377,7 +377,6 @@ impl Gpu {
         }
     }
 
-    /// A buffer with these bytes.
     pub(crate) fn upload(&self, bytes: &[u8]) -> Buffer {
         let buffer = self.buffer(bytes.len() as u64);
         self.write(&buffer, 0, bytes);

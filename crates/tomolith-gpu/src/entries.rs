@@ -50,7 +50,6 @@ pub(crate) struct Chunk {
     keeps: bool,
 }
 
-/// Bytes of an entry.
 const ENTRY_BYTES: u64 = 8;
 
 #[derive(Clone, Copy, PartialEq)]

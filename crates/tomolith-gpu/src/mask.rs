@@ -4,7 +4,6 @@ use crate::device::{Buffer, Gpu};
 use std::sync::Arc;
 use tomolith_core::dose::form::Masked;
 
-/// The mask of a form.
 #[derive(Clone)]
 pub(crate) struct Mask {
     /// A bit per pixel that is not dark; one word where none is.

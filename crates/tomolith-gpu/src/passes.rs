@@ -46,11 +46,9 @@ impl<'a> Operand<'a> {
 pub(crate) struct Pass<'a> {
     /// Of the kernel; a name stands for one source.
     pub(crate) name: &'a str,
-    /// Functions of the body.
     pub(crate) functions: &'a str,
     /// What is done with element `i`; `p.a`, `p.b`, `p.c` are the numbers.
     pub(crate) body: &'a str,
-    /// Numbers of the body.
     pub(crate) numbers: [[f32; 4]; 3],
 }
 

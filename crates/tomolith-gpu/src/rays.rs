@@ -303,7 +303,6 @@ impl GpuRays {
         self.mask.factor * self.geometry.energy
     }
 
-    /// The factor of all light.
     pub(crate) fn factor(&self) -> f32 {
         self.mask.factor
     }

@@ -39,7 +39,6 @@ pub(crate) struct Transform {
     turns: Buffer,
 }
 
-/// A kernel that transforms lines.
 pub(crate) struct Lines {
     pub(crate) name: &'static str,
     /// Declarations of `struct Parameters`, which begins with `lines: u32, first: u32`, of `p`, and of the buffers from binding 2 on; then

@@ -112,7 +112,6 @@ impl<W: Write + Seek> ArchiveWriter<W> {
         }))
     }
 
-    /// Adds an array.
     pub(super) fn add<T: Element>(
         &mut self,
         name: &str,
@@ -123,7 +122,6 @@ impl<W: Write + Seek> ArchiveWriter<W> {
         write_array(&mut self.0, shape, values)
     }
 
-    /// Adds an array of one text.
     pub(super) fn add_text(&mut self, name: &str, text: &str) -> Result<()> {
         self.start(name, text.len())?;
         self.0

@@ -270,7 +270,6 @@ impl Element {
         }
     }
 
-    /// The bits of a number.
     pub(super) fn word(self, bytes: &[u8]) -> u64 {
         match self.is_big_endian {
             true => bytes
@@ -489,7 +488,6 @@ impl Archive {
         })
     }
 
-    /// An array by its name.
     pub(super) fn numbers(&mut self, name: &str) -> Result<Numbers> {
         self.array(name, |array, length| Numbers::parse(array, length))
     }
@@ -581,7 +579,6 @@ fn no_archive(path: &Path) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// An `.npy` file.
     fn npy(descr: &str, order: &str, shape: &str, data: &[u8]) -> Vec<u8> {
         let text =
             format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': ({shape}), }}");

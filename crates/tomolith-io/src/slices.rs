@@ -174,7 +174,6 @@ fn read_all(files: &[PathBuf], stack: &Path) -> Result<Vec<Stored>> {
     Ok(slices)
 }
 
-/// The pages of a TIFF.
 fn read_pages(path: &Path) -> Result<Vec<Stored>> {
     if !is_tiff(path) {
         let found = "neither a folder, nor a pattern, nor a TIFF, nor an array";

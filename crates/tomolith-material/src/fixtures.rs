@@ -14,7 +14,6 @@ pub(crate) fn apart(a: &HostField, b: &HostField) -> f32 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
 
-/// The voxels of a model.
 pub(crate) fn domain_of(model: &Model) -> Domain {
     Domain::new(model.grid().clone())
 }
@@ -44,7 +43,6 @@ pub(crate) fn wandering(dose: f64, diffusion: f64) -> Network {
     }
 }
 
-/// One network in one light.
 pub(crate) fn photopolymer(network: Network, domain: Domain) -> Photopolymer {
     Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap()
 }

@@ -63,7 +63,6 @@ impl Lights {
         }
     }
 
-    /// The dose model of a light.
     pub(crate) fn light(&self, light: usize) -> &Model {
         self.optics[light].as_ref()
     }

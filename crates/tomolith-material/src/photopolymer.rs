@@ -144,7 +144,6 @@ impl Photopolymer {
         (self.domain.has_air() && slot.from_air).then_some(1.0)
     }
 
-    /// The network of a slot.
     fn chain_of(&self, slot: usize) -> usize {
         let within = |chain: &Chain| chain.slots.contains(&slot);
         self.chains.iter().position(within).unwrap_or_default()

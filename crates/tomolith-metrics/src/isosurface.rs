@@ -60,7 +60,6 @@ impl Isosurface {
         self.triangles.is_empty()
     }
 
-    /// The corners of a triangle in f64.
     fn triangle(&self, i: usize) -> [[f64; 3]; 3] {
         self.triangles[i].map(|corner| self.corners[corner as usize].map(f64::from))
     }

@@ -106,7 +106,6 @@ const EVALUATING: usize = 16;
 type Make = fn(&dyn Vial, &[Light], &[Optics], &Params, VolumeGrid) -> Result<Rays>;
 
 impl Params {
-    /// The parameters for the purpose of a scene.
     fn for_purpose(&self, scene: &OpticalScene<'_>) -> Cow<'_, Self> {
         match scene.purpose {
             Purpose::Evaluate { refine } => Cow::Owned(self.for_evaluation(refine)),

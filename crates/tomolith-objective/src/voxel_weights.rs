@@ -70,7 +70,6 @@ tomolith_core::keys! {
     }
 }
 
-/// The keys of [`Common`].
 const KEYS: [&str; 5] = ["weight", "region", "weights", "tolerance", "response"];
 
 /// Which voxels are meant.

@@ -79,7 +79,6 @@ impl<F: Field> Fields<F> {
     }
 }
 
-/// The numbers of a checkpoint.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 struct SavedNumbers {
     /// Steps done.

@@ -603,7 +603,6 @@ fn checksum(bytes: &[u8]) -> u64 {
         })
 }
 
-/// The checksums of a file.
 fn read_checksums(
     path: &Path,
     file: &mut File,

@@ -89,7 +89,6 @@ struct Fields<F> {
     trial: F,
 }
 
-/// The numbers of a checkpoint.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 struct SavedNumbers {
     t: f64,

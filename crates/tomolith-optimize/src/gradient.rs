@@ -59,7 +59,6 @@ impl<F: Field> Fields<F> {
     }
 }
 
-/// The numbers of a checkpoint.
 #[derive(Deserialize, Serialize)]
 struct SavedNumbers {
     length: f64,

@@ -40,7 +40,6 @@ use tomolith_core::grid::Patterns;
 const SCALES: [f32; 7] = [0.85, 0.7, 0.55, 0.45, 0.35, 0.25, 0.18];
 /// What is taken of the best of them.
 const LOWER: f32 = 0.75;
-/// Most steps.
 const STEPS: usize = 30;
 /// Most dose and adjoint calls of a linear model.
 pub const CALLS: [usize; 2] = [2 * SCALES.len() + 4 + STEPS, STEPS];

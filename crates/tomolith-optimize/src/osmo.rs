@@ -156,7 +156,6 @@ impl<F: Field> Osmo<F> {
             .map(drop)
     }
 
-    /// The halves of a step.
     fn halves(&self) -> Vec<Half> {
         let mut halves = vec![
             (AlternatingHalf::Over, false),

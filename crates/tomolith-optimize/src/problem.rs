@@ -72,7 +72,6 @@ pub struct Problem<'a, F: Field> {
     pub counters: Counters,
 }
 
-/// The objective of a problem.
 enum Held<'a, F> {
     Fixed(&'a dyn Objective<F>),
     /// Its response has unknown parameters.

@@ -296,7 +296,6 @@ impl GrayCurve {
     }
 }
 
-/// The points of a table.
 fn pairs(table: &Curve) -> Vec<[f64; 2]> {
     let pairs = table.doses.iter().zip(&table.responses);
     pairs.map(|(x, y)| [*x, *y]).collect()

@@ -65,7 +65,6 @@ pub(crate) fn reproduce(
     Ok(plain(py, &found)?.unbind())
 }
 
-/// Threads to work with.
 fn usable(threads: Option<usize>) -> PyResult<usize> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     match threads.unwrap_or_else(cores) {

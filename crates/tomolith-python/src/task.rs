@@ -51,7 +51,6 @@ impl Task {
         Ok(x)
     }
 
-    /// Images of unknowns.
     fn images<'py>(&self, py: Python<'py>, what: &str, x: &[f32]) -> PyResult<Bound<'py, PyAny>> {
         must_have_threads()?;
         must_be_finite(what, x)?;

@@ -207,7 +207,6 @@ fn mark<'c>(
     cells.any(has_it).then(|| meaning.to_owned())
 }
 
-/// The marks of maps and curves.
 fn common_marks<'c, I: Iterator<Item = &'c Cell>>(cells: impl Fn() -> I) -> [Option<String>; 2] {
     [
         mark(cells(), |c| c.is_best, "ring: best"),
@@ -601,7 +600,6 @@ fn placed(axis: &Axis, wanted: usize) -> Vec<(f64, String)> {
 }
 
 impl Sheet {
-    /// The color bar, on the right.
     fn bar(&mut self, values: &ColorScale) {
         let (last, first) = (self.frame(self.columns - 1), self.frame(0));
         let (left, steps) = (last.left + last.width + 24.0, 64);

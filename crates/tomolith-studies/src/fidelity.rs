@@ -216,7 +216,6 @@ fn judged(
     Ok((run, report))
 }
 
-/// The job of a target with some keys.
 fn job(case: &Case, matched: bool, boat: &str, keys: &[String]) -> Result<Job, Error> {
     let (columns, rows, frames, pitch) = case.light;
     let (index, vial) = match matched {

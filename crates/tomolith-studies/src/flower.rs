@@ -57,7 +57,6 @@ enum Operator {
     Traced,
 }
 
-/// One run.
 #[derive(Clone)]
 struct Setting {
     epsilon: f64,

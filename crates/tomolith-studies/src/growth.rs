@@ -101,7 +101,6 @@ impl Case {
     }
 }
 
-/// One size of a model.
 #[derive(Clone, Copy)]
 struct Size {
     n: usize,

@@ -135,7 +135,6 @@ impl Axis {
         words.join(" ")
     }
 
-    /// The keys of the job that it sets.
     pub(crate) fn keys(&self) -> BTreeSet<&str> {
         match &self.kind {
             AxisKind::Cases { cases, .. } => {

@@ -756,7 +756,6 @@ impl Slot<'_> {
         }
     }
 
-    /// The job with its start.
     fn job(&self, i: usize, from: &[usize]) -> Result<Job> {
         let job = self.plan.job(i)?.overwriting();
         let files: Vec<PathBuf> = from

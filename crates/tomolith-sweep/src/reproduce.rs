@@ -31,8 +31,14 @@ pub trait Host {
     fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch + '_>;
     /// Refuses words that cannot be typed after `tomolith`, and files that they would leave where `writes` does not say so: at the key `command`
     /// or `writes`.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
     fn must_be_command(&self, words: &[String], writes: bool) -> Result<()>;
     /// Runs what would be typed after `tomolith` in a folder; its answer as JSON.
+    ///
+    /// # Errors
+    /// As the command.
     fn command(&mut self, words: &[String], folder: &Path) -> Result<Value>;
 }
 
@@ -113,7 +119,9 @@ impl fmt::Display for Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum PublishedValue {
+    /// A number.
     Number(f64),
+    /// Words.
     Words(String),
     /// Nothing: a row that later ones compare.
     Nothing,

@@ -126,14 +126,12 @@ pub(crate) struct QuickSpec {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RowSpec {
-    /// What it is.
     pub(crate) quantity: String,
     /// Where it stands in the paper.
     #[serde(rename = "where")]
     pub(crate) place: String,
     /// Its name in `value` and `holds` of later rows.
     pub(crate) name: Option<String>,
-    /// The published number.
     pub(crate) published: Option<f64>,
     /// What is published, where that is no number.
     pub(crate) says: Option<String>,

@@ -78,7 +78,6 @@ pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result
     read_mesh(path)
 }
 
-/// A file's meshes in mm.
 pub(super) fn in_mm(mut file: MeshFile, unit: Option<MeshUnit>) -> MeshFile {
     let (factor, ..) = unit.unwrap_or_default().row();
     if factor != 1.0 {

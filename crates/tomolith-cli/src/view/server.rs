@@ -51,7 +51,6 @@ pub(super) struct Server {
 }
 
 impl Server {
-    /// Begins to serve.
     pub(super) fn start(site: &Arc<Site>, port: u16) -> Result<Self> {
         let refused = |e: std::io::Error| {
             Error::config(
@@ -90,7 +89,6 @@ impl Server {
         })
     }
 
-    /// The address of the page.
     pub(super) fn address(&self) -> String {
         let here = SocketAddr::from((Ipv4Addr::LOCALHOST, self.known.port));
         format!("http://{here}/{}/", self.known.token)

@@ -164,7 +164,6 @@ impl Site {
         }
     }
 
-    /// The data of the page.
     pub(super) fn data(&self, served: &str) -> Value {
         let program = concat!("Tomolith ", env!("CARGO_PKG_VERSION"));
         let runs = self.with_runs(|runs| runs.iter().map(|run| run.data.clone()).collect());
@@ -185,7 +184,6 @@ impl Site {
         page.html()
     }
 
-    /// An array of a run, deflated.
     pub(super) fn array(&self, run: usize, id: &str) -> Option<Arc<Vec<u8>>> {
         self.with_runs(|runs| runs.get(run)?.arrays.get(id).cloned())
     }

@@ -24,7 +24,6 @@ projector.collimated = { pixel_pitch_mm = 0.1 }
 iterations = 4
 "#;
 
-/// The folder.
 pub(crate) struct Bench {
     pub(crate) temp: tempfile::TempDir,
 }
@@ -61,7 +60,6 @@ impl Bench {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// The report of a run folder.
     pub(crate) fn report(&self, folder: &str) -> Value {
         serde_json::from_str(&self.read(&format!("{folder}/report.json"))).unwrap()
     }
@@ -186,7 +184,6 @@ pub(crate) fn slipped<'s>(text: &str, line: &str, slip: &'s str) -> (String, Vec
     (text.replacen(&before, &after, 1), parts.collect())
 }
 
-/// An `.npy` file.
 pub(crate) fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
     let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
     let text = format!("{text:<117}\n");

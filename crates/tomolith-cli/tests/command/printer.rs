@@ -235,7 +235,6 @@ fn fits(dose: &[f64]) -> [f64; 8] {
     std::array::from_fn(|i| fit(dose, [0, 1, 2].map(|axis| sign(i, axis))))
 }
 
-/// The movie of a folder, decoded.
 fn movie(folder: &Path, [columns, rows]: [usize; 2]) -> Vec<Picture> {
     let read = read_movie(
         &folder.join("chiral_10rpm.mp4"),

@@ -170,7 +170,6 @@ fn in_job(found: Unexpected<'_>) -> String {
     }
 }
 
-/// A value to read from.
 #[derive(Clone, Copy)]
 struct Located<'v>(&'v Value);
 

@@ -23,7 +23,6 @@ pub(crate) struct DevicePropagation {
     gpu: Gpu,
     /// Offset, lowest row, rows and frame of each column of pixels.
     runs: Buffer,
-    /// Columns of pixels.
     columns: usize,
     shifts: Buffer,
     band: [usize; 2],
@@ -33,7 +32,6 @@ pub(crate) struct DevicePropagation {
     /// Of the samples.
     field: [[Transform; 2]; 2],
     modes: Vec<DeviceMode>,
-    /// Depths that are transformed.
     depths: usize,
     forth: Sums,
     back: Sums,
@@ -243,7 +241,6 @@ impl DevicePropagation {
         transform.run(kernel, lines, &parameters, buffers);
     }
 
-    /// Spectra of the frames of a batch.
     pub(crate) fn spectra(&self, batch: &Batch<'_>, image: &GpuField) -> Buffer {
         let (frames, [_, nz]) = (batch.frames.len(), self.counts());
         let columns = self.gpu.buffer((8 * frames * self.columns * nz) as u64);
@@ -533,7 +530,6 @@ impl DevicePropagation {
         samples
     }
 
-    /// The transpose of [`interpolate`](Self::interpolate).
     pub(crate) fn interpolate_back(&self, frames: usize, last: Buffer) -> Buffer {
         let ([across, along], depths) = (&self.closer, self.forth.sums.len());
         let [between, _] = self.interpolated();

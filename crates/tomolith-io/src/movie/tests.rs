@@ -8,7 +8,6 @@ use crate::frames::FrameSet;
 use std::path::PathBuf;
 use tomolith_core::grid::PatternGrid;
 
-/// The level of a pixel.
 fn level(frame: usize, row: usize, column: usize) -> u16 {
     (8 + 20 * frame + 3 * row + 2 * column) as u16
 }

@@ -39,7 +39,6 @@ impl TargetBand<'_> {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BandError {
-    /// Voxels of the region.
     pub(super) voxels: u64,
     /// Those out of their band: p → 0.
     pub(super) violated: u64,

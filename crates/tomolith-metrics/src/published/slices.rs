@@ -125,7 +125,6 @@ fn at_rank(values: impl Iterator<Item = f32>, rank: usize) -> [f32; 2] {
     ]
 }
 
-/// The worst slice of each kind.
 pub(super) fn worst(list: &mut List, slices: &[Slice]) {
     const FIGURE: &str = "Pellizzon et al. 2025, figure 15";
     let pw = slices.iter().filter_map(|s| s.pw).reduce(f64::min);

@@ -57,7 +57,6 @@ fn nonzero_vectors(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
 
 /// Blocks of each row of lanes that hold anything but 0.
 pub(super) struct NonzeroBlocks {
-    /// The blocks of a row.
     pub(super) blocks: Vec<Block>,
     /// Their [`bit`]s, row by row.
     rows: Vec<u64>,

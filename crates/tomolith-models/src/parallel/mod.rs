@@ -336,7 +336,6 @@ impl Parallel {
         self
     }
 
-    /// The entries of a light of a volume.
     fn entries(&self, light: usize, work: &Work) -> Result<LightEntries<'_>> {
         let (plan, path, cache) = (&self.lights[light], self.path, &self.cache[light]);
         let cached = match (cache.get(), self.finding) {

@@ -68,7 +68,6 @@ impl Patches {
         self.slots.len()
     }
 
-    /// Slots of all entries.
     pub(super) fn slots(&self) -> &[u32] {
         &self.slots
     }

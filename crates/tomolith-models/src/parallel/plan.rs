@@ -43,7 +43,6 @@ pub(super) struct LightPlan {
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
     pub(super) turned: Turned,
-    /// Beams of each view.
     pub(super) of_view: Vec<Range<usize>>,
     /// Beams of uniform strips, for a single slice.
     pub(super) uniform_strips: Vec<Option<UniformStrips>>,

@@ -38,7 +38,6 @@ impl LightPlan {
         first.zip(last).map_or(0..0, |(a, b)| a.start..b.end)
     }
 
-    /// Pixel values of a frame.
     fn frame<'v>(&self, values: &'v [f32], beam: usize) -> &'v [f32] {
         let first = self.beams[beam].frame as usize * self.columns;
         &values[first..first + self.columns]

@@ -87,7 +87,6 @@ pub(super) fn beams(
     beams
 }
 
-/// The rays of one direction.
 struct Rays {
     kernel: Kernel,
     radius: f64,

@@ -52,7 +52,6 @@ impl Views {
         }
     }
 
-    /// Number of views.
     pub(super) fn count(&self) -> usize {
         if self.paired {
             self.frames / 2

@@ -32,7 +32,6 @@ impl Intervals {
         Intervals { lows_mm, pitch_mm }
     }
 
-    /// The slices of voxels.
     pub(super) fn of_slices(grid: &VolumeGrid) -> Self {
         let low = |slice| grid.z(slice) - grid.height_mm / 2.0;
         Intervals {

@@ -94,7 +94,6 @@ impl Bins {
         [edge(run.bottom), edge(run.bottom + run.count)]
     }
 
-    /// The bins as data.
     pub(super) fn form(&self) -> scattered::Bins {
         let share = |share: &Share| scattered::Share {
             bin: share.bin as u32,

@@ -55,7 +55,6 @@ impl Convolver {
         self.padded
     }
 
-    /// A kernel as data.
     pub(super) fn form(&self, kernel: &Kernel) -> KernelSpectrum {
         let [px, py, _] = self.padded;
         let nk = self.frequencies();

@@ -235,7 +235,6 @@ impl HigherOrders {
             .collect()
     }
 
-    /// Transpose of [`scatter`](Self::scatter).
     fn scatter_back(&self, moments: &[Vec<f32>], work: &Work) -> Result<Moments> {
         let mut back = self.fly_back(moments, work)?;
         for (field, moment) in back.iter_mut().zip(&self.moments) {

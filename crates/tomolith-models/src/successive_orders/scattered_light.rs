@@ -73,7 +73,6 @@ impl DeltaScaledPhase {
     }
 }
 
-/// A light that the resin scatters.
 pub(super) struct ScatteringLight<'a> {
     /// Which light it is, where its pixels lie in a pattern field, and its frames among all.
     pub(super) number: usize,

@@ -136,7 +136,6 @@ impl Disc {
     }
 }
 
-/// Cones of one light.
 pub(super) struct Cones<T: Number> {
     windows: Windows<T>,
     /// T·B of each depth.

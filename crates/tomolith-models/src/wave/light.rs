@@ -19,9 +19,7 @@ const LANES_AT_ONCE: usize = 256;
 
 /// Propagation of light from the plane of its pixels to the samples.
 pub(super) trait Propagation<T: Number>: Send + Sync {
-    /// Whether the light is linear in the pixels.
     const IS_LINEAR: bool;
-    /// Its transforms.
     fn windows(&self) -> &Windows<T>;
     /// samples += light of the image whose spectrum lies in the scratch; rows of samples are `row` numbers apart
     fn shine(&self, scratch: &mut Scratch<T>, samples: &mut [T], row: usize);
@@ -328,7 +326,6 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
 }
 
 impl<P: Propagation<f32>> WaveLight<f32, P> {
-    /// The light as data.
     pub(super) fn form(&self, (modes, [forth, back]): SpreadingForm) -> waves::WaveLight {
         let windows = self.propagation.windows();
         waves::WaveLight {
@@ -390,7 +387,6 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
     }
 }
 
-/// Whether any pixel of a frame is lit.
 fn is_lit<T: Number>(layout: &PatternLayout, frame: usize, x: &[T]) -> bool {
     let elements = layout.elements_of(frame..frame + 1);
     x[elements].iter().any(|v| !v.is_zero())

@@ -79,7 +79,6 @@ pub(super) struct Fields {
     pub(super) taps: Taps,
 }
 
-/// A way to sample fields.
 #[derive(Clone, Copy, Debug)]
 struct FieldRung {
     depths: Lattice,
@@ -114,7 +113,6 @@ impl Rungs {
         })
     }
 
-    /// Depths that are transformed.
     fn transformed(&self) -> usize {
         (self.fields).map_or(self.computed.count, |fields| fields.depths.count)
     }

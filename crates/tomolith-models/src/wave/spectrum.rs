@@ -489,7 +489,6 @@ impl<T: Number> Windows<T> {
 }
 
 impl Windows<f32> {
-    /// The transforms as data.
     pub(super) fn form(&self) -> Transforms {
         let lateral = self.sampling.across.computed.count;
         let (first, stride, high) = self.heights;

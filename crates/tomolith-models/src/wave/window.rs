@@ -19,7 +19,6 @@ use super::beam::Spreading;
 pub(super) struct Side {
     /// Distance of pixels, mm.
     pub(super) pitch: f64,
-    /// Number of pixels.
     pub(super) pixels: usize,
     /// First pixel, mm.
     pub(super) from: f64,

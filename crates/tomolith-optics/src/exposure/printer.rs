@@ -340,7 +340,6 @@ impl Printer {
         columns * rows
     }
 
-    /// Brightness of a device pixel.
     fn bright(&self, device: usize) -> f64 {
         self.brightness
             .as_ref()

@@ -13,7 +13,6 @@ use tomolith_io::frames::top_level;
 const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
      larger than the one before; `tomolith calibrate gray` makes such a curve of measurements";
 
-/// A gray curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ToneCurve {
     points: Vec<[f64; 2]>,
@@ -68,7 +67,6 @@ impl ToneCurve {
         })
     }
 
-    /// Intensity at a value.
     fn at(&self, value: f64) -> f64 {
         let next = self.points.partition_point(|p| p[0] <= value);
         if next == self.points.len() {

@@ -7,7 +7,6 @@ use tomolith_metrics::{Better, METRICS};
 /// Reads a number of a run, where it has one.
 pub(super) type ValueOf = Box<dyn Fn(&ComparedRun) -> Option<f64>>;
 
-/// A row of numbers.
 pub(super) struct Row {
     /// What programs call it, the same in every version.
     pub(super) key: String,

@@ -203,7 +203,6 @@ pub(super) struct Sheet {
     /// Room on the right.
     right: f64,
     pub(super) body: String,
-    /// Lines of the caption.
     lines: usize,
 }
 

@@ -94,7 +94,6 @@ struct SurfaceInfo {
     off_um: [f32; 2],
 }
 
-/// A run of a page.
 #[derive(Serialize)]
 struct RunData<'a> {
     name: &'a str,

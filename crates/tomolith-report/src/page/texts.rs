@@ -89,7 +89,6 @@ fn exposures(data: &ReportData<'_>) -> Vec<String> {
     }]
 }
 
-/// What limits each species.
 fn limits<'a>(data: &ReportData<'a>) -> Vec<Named<'a>> {
     let named = |name, limits: &crate::PrintLimits| Named {
         name,

@@ -112,7 +112,6 @@ impl Twin {
         (0..n * n).map(|i| field[place(i)].norm_sqr()).collect()
     }
 
-    /// Depth of plane k.
     pub(super) fn depth(&self, k: usize) -> f64 {
         (k as f64 - (self.n as f64 - 1.0) / 2.0) * self.pitch
     }

@@ -206,7 +206,6 @@ fn owner(mesh: &Mesh, shells: &[Shell], i: usize) -> usize {
     holders.min_by(by_size).unwrap_or(i)
 }
 
-/// The shells that shell `i` lies in.
 fn holders(mesh: &Mesh, shells: &[Shell], i: usize) -> Vec<usize> {
     (0..shells.len())
         .filter(|&j| j != i && shells[j].holds(mesh, &shells[i]))

@@ -179,7 +179,6 @@ fn sample(
     Ok((voxels, warnings))
 }
 
-/// The patterns.
 fn optimized(
     job: &Job,
     resolved: &ResolvedJob,

@@ -13,7 +13,6 @@ const OF_SPEC: [&str; 2] = ["read::Job", "file_names"];
 /// Files of these layers that read or change jobs themselves.
 const OF_JOBS: [&str; 3] = ["output/export", "output/replace", "run/many"];
 
-/// All files of Rust in a folder.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -67,7 +67,6 @@ fn history<const N: usize>(folder: &Path, names: [&str; N]) -> Vec<[String; N]> 
         .collect()
 }
 
-/// The losses of a run.
 fn losses(folder: &Path) -> Vec<f64> {
     let rows = history(folder, ["loss"]).into_iter();
     rows.map(|[loss]| loss.parse().unwrap()).collect()

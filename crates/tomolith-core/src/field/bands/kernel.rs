@@ -95,7 +95,6 @@ impl Penalty for Power {
     }
 }
 
-/// Sixteen bands.
 struct BandLanes {
     lower: Group,
     upper: Group,

@@ -87,7 +87,6 @@ impl Gait {
         }
     }
 
-    /// The walk for a segment.
     fn over(self, segment: &Segment) -> Self {
         let is_short = segment.high - segment.low < SHORT;
         match self {

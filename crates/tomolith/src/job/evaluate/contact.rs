@@ -118,7 +118,6 @@ fn is_beyond(corners: &[[f64; 3]; 3], grid: &VolumeGrid) -> bool {
     })
 }
 
-/// The voxel that a place lies in.
 fn voxel_at(place: [f64; 3], grid: &VolumeGrid) -> Option<usize> {
     let [low, _] = grid.bounds_mm();
     let edges = [grid.pitch_mm, grid.pitch_mm, grid.height_mm];

@@ -60,7 +60,6 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// What limits the print of species `s`.
     fn limits(&self, s: usize, print: &SpeciesPrint) -> PrintLimits {
         let evaluation = &print.evaluation;
         if evaluation.part.is_some_and(|part| part.max == 0.0) {

@@ -12,7 +12,6 @@ pub(crate) struct Property {
     pub(crate) values: Volume<f32>,
 }
 
-/// The properties of a print.
 pub(crate) fn properties(job: &ResolvedJob, evaluated: &Evaluated) -> Vec<Property> {
     if job.properties.is_empty() {
         return Vec::new();

@@ -46,7 +46,6 @@ pub(crate) fn improve(
     }))
 }
 
-/// Images of all lights.
 pub(crate) fn patterns(lights: &[PatternLayout], x: &HostField) -> Vec<Patterns> {
     let lights = lights.iter();
     lights

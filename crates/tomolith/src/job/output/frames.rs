@@ -39,7 +39,6 @@ pub(crate) struct ShownLight {
     pub(crate) irradiance: Option<Irradiance>,
 }
 
-/// What of frames was written.
 #[derive(Default)]
 pub(crate) struct WrittenFrames {
     /// One per light; None where there is no movie.

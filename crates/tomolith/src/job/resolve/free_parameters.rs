@@ -36,7 +36,6 @@ pub(crate) struct FreeParameters {
 /// A response that was found.
 #[derive(Clone, Debug)]
 pub(crate) struct FoundResponse {
-    /// Parameters and values.
     pub(crate) values: Vec<(String, f64)>,
     pub(crate) response: Arc<dyn Response>,
 }
@@ -106,7 +105,6 @@ impl FreeParameters {
         error
     }
 
-    /// The response with these parameters.
     pub(crate) fn respond(&self, values: &[f64]) -> Result<Arc<dyn Response>> {
         let mut parameters = self.section.value.clone();
         for (parameter, value) in self.parameters.iter().zip(values) {
@@ -164,7 +162,6 @@ impl FreeParameters {
 }
 
 impl FoundResponse {
-    /// The parameters in words.
     pub(crate) fn sentence(&self) -> String {
         let word = |(name, value): &(String, f64)| format!("{name} {}", significant(*value, 4));
         let words: Vec<String> = self.values.iter().map(word).collect();

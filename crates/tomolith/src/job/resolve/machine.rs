@@ -102,7 +102,6 @@ pub(crate) struct Showing<'a> {
 }
 
 impl ResolvedJob {
-    /// How the patterns are shown.
     pub(crate) fn showing(&self) -> Showing<'_> {
         Showing::of(&self.spec)
     }

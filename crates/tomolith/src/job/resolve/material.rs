@@ -61,7 +61,6 @@ pub(crate) fn material(
 }
 
 impl ResolvedJob {
-    /// The material of the job in a domain.
     pub(crate) fn photopolymer(&self, domain: Domain) -> Result<Photopolymer> {
         material(&self.spec, self.mixing.as_deref(), domain)
     }

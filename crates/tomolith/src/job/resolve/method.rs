@@ -43,7 +43,6 @@ pub(crate) struct Method {
     penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
 }
 
-/// A penalty and its weight.
 fn penalty(i: usize, value: &Value) -> Result<(f64, Arc<dyn MakePenalty>)> {
     let mut section = Section::new(format!("penalties[{i}]"), value.clone()).without(&["weight"]);
     let keys = section.value.as_object_mut();
@@ -76,7 +75,6 @@ impl Method {
         })
     }
 
-    /// A new optimizer for fields F.
     pub(crate) fn optimizer<F: Field>(&self) -> Result<Box<dyn Optimizer<F>>> {
         let optimizer = self.optimizer.read(optimizers::<F>())?;
         let remembering = self.pairs.and_then(|pairs| optimizer.with_pairs(pairs));

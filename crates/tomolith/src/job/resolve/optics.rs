@@ -312,7 +312,6 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<IndexGradient>>
     Ok(Some(gradient))
 }
 
-/// The absorbing bath of a job.
 fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     let Some(bath) = &spec.bath else {
         return Ok(None);

@@ -16,7 +16,6 @@ use tomolith_core::parallel::{InParallel, table};
 /// What of a part lies beyond the reach of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Unreached {
-    /// Which light.
     pub(crate) light: usize,
     /// Distance from the axis up to which it is tangent on every side, mm. 0: it lights one side of the axis.
     pub(crate) reach_mm: f64,

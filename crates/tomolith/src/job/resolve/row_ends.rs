@@ -153,7 +153,6 @@ impl RowEnds {
         (left < self.share / 2.0).then_some(moved)
     }
 
-    /// The key that moves the light.
     pub(crate) fn move_key(&self) -> String {
         match &self.light {
             (index, Some(_)) => format!("light[{index}].offset_mm"),

@@ -21,7 +21,6 @@ pub(crate) struct Emitted<'a> {
     pub(crate) sums: &'a [f64],
     /// How many frames there are.
     pub(crate) frames: usize,
-    /// Pixels of a frame.
     pub(crate) pixels: usize,
     /// Area of a pixel, mm².
     pub(crate) pixel_mm2: f64,

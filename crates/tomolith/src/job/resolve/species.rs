@@ -30,11 +30,9 @@ use std::sync::Arc;
 pub(crate) struct Species {
     /// Its name; None in a job that names no species.
     pub(crate) name: Option<String>,
-    /// The name of its part.
     pub(crate) part: String,
     /// Its part, and the other bodies of the target.
     pub(crate) shape: Arc<dyn Shape>,
-    /// The goal of its dose.
     pub(crate) goal: Goal,
     /// Whether its surface cuts voxels of the optimization into cells.
     pub(crate) has_cells: bool,

@@ -29,7 +29,6 @@ pub(crate) struct Voxels {
 }
 
 impl Voxels {
-    /// The target of a species, for an observer.
     pub(crate) fn shown(&self, species: &Species) -> SpeciesTarget {
         SpeciesTarget {
             species: species.name.clone().unwrap_or_default(),

@@ -56,7 +56,6 @@ const GOOD: [f32; 2] = [0.99, 0.005];
 /// How fast this machine is with this job.
 #[derive(Clone, Debug)]
 pub(crate) struct Rates {
-    /// Which model.
     pub(crate) model: String,
     /// Calls of the optimization's model.
     pub(crate) calls: CallRates,

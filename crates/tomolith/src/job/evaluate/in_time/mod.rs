@@ -90,7 +90,6 @@ impl std::fmt::Display for TimeSummary {
 
 /// What patterns print over time.
 pub(crate) struct InTime {
-    /// Per network.
     pub(crate) networks: Vec<NetworkInTime>,
 }
 

@@ -96,7 +96,6 @@ impl LitHeights {
 /// What of a part lies above or below a light.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Missed {
-    /// Which light.
     pub(crate) light: usize,
     /// Share of the part's voxels that it does not reach on every side.
     pub(crate) share: f64,
