@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 use tomolith_core::columns::Columns;
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::PatternGrid;
-use tomolith_core::least_squares::minimize;
+use tomolith_core::least_squares::{Minimum, minimize};
 use tomolith_core::units::concise;
 use tomolith_core::work::Work;
 use tomolith_io::channel::Channel;
@@ -166,18 +166,8 @@ impl Discs {
             .collect();
         let row = |(j, d): (usize, &Disc)| {
             let [x, z] = d.at_mm;
-            let empty = f64::NAN;
-            vec![
-                j as f64,
-                x,
-                z,
-                d.radius_mm,
-                d.seconds,
-                d.dose,
-                empty,
-                empty,
-                empty,
-            ]
+            let known = [j as f64, x, z, d.radius_mm, d.seconds, d.dose];
+            [&known[..], &[f64::NAN; 3]].concat()
         };
         let table: Vec<Vec<f64>> = discs.iter().enumerate().map(row).collect();
         let names = [
@@ -370,8 +360,7 @@ pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
 /// # Errors
 /// [`Error::Config`] for fewer than three cured discs or depths that do not rise.
 pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
-    let points: Vec<[f64; 2]> = sorted(points)?.into_iter().filter(|p| p[1] > 0.0).collect();
-    enough("depth_mm", &points)?;
+    let points = with_sizes("depth_mm", points)?;
     let n = points.len();
     // A line in ln E: depth = D_p·ln E − D_p·ln E_c
     let middle = points.iter().map(|p| p[0].ln()).sum::<f64>() / n as f64;
@@ -381,8 +370,7 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
         t[0] * rise - points[i][1]
     });
     let errors = found.errors(0.0, n);
-    let parameters = &found.parameters;
-    with_errors("depth_mm", parameters, errors, found.cost, points, None)
+    with_errors("depth_mm", &found, errors, points, None)
 }
 
 /// Of doses and diameters, mm, of discs with a radius, mm.
@@ -390,8 +378,7 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
 /// # Errors
 /// As [`fit_depth`].
 pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
-    let points: Vec<[f64; 2]> = sorted(points)?.into_iter().filter(|p| p[1] > 0.0).collect();
-    enough("diameter_mm", &points)?;
+    let points = with_sizes("diameter_mm", points)?;
     let n = points.len();
     let lowest = points[0][0].ln();
     let starts = [0.02, 0.2, 1.0, 3.0].map(|below: f64| {
@@ -415,25 +402,18 @@ pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
     let below = found.parameters[1].exp();
     let errors = found.errors(0.0, n).map(|e| vec![e[0], e[1] * below]);
     found.parameters[1] = lowest - below;
-    with_errors(
-        "diameter_mm",
-        &found.parameters,
-        errors,
-        found.cost,
-        points,
-        Some(radius_mm),
-    )
+    with_errors("diameter_mm", &found, errors, points, Some(radius_mm))
 }
 
-fn enough(column: &str, points: &[[f64; 2]]) -> Result<()> {
-    if sized(points) >= 3 {
-        return Ok(());
+/// The discs that have a size, by rising dose; refuses fewer than three.
+fn with_sizes(column: &str, points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
+    let points: Vec<[f64; 2]> = sorted(points)?.into_iter().filter(|p| p[1] > 0.0).collect();
+    if points.len() >= 3 {
+        return Ok(points);
     }
-    Err(Error::config(
-        column,
-        format!("{} cured discs", points.len()),
-        "three or more with a size above 0",
-    ))
+    let found = format!("{} cured discs", points.len());
+    let accepted = "three or more with a size above 0";
+    Err(Error::config(column, found, accepted))
 }
 
 fn rises(column: &str) -> Error {
@@ -447,13 +427,12 @@ fn rises(column: &str) -> Error {
 /// Of parameters length and ln E_c.
 fn with_errors(
     from: &'static str,
-    parameters: &[f64],
+    found: &Minimum,
     errors: Option<Vec<f64>>,
-    cost: f64,
     points: Vec<[f64; 2]>,
     radius_mm: Option<f64>,
 ) -> Result<DoseFit> {
-    let (length_mm, critical) = (parameters[0], parameters[1].exp());
+    let (length_mm, critical) = (found.parameters[0], found.parameters[1].exp());
     if !(length_mm > 0.0 && critical.is_finite() && critical > 0.0) {
         return Err(rises(from));
     }
@@ -466,7 +445,7 @@ fn with_errors(
         length_mm,
         length_error: errors.map(|e| e[0]),
         radius_mm,
-        rms_mm: (cost / points.len() as f64).sqrt(),
+        rms_mm: (found.cost / points.len() as f64).sqrt(),
         against_cured: None,
         points,
     })
