@@ -317,10 +317,7 @@ mod tests {
         assert!(message(Some(4.0), None).contains("3, or a multiple of 3"));
         // No vial is fast enough where light that is always on takes longer
         let refusal = message(None, Some(5.0));
-        assert!(
-            refusal.contains("0 whole turns") && refusal.contains("mW/cm² in a faster vial"),
-            "{refusal}"
-        );
+        tomolith_core::contains!(refusal, "0 whole turns", "mW/cm² in a faster vial");
         assert!(message(Some(3.0), Some(5.0)).ends_with("mW/cm²"));
     }
 }

@@ -81,10 +81,7 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
         panic!("a curve that falls was taken")
     };
     let message = error.to_string();
-    assert!(
-        message.contains("usable from gray 86.15 to 239.06"),
-        "{message}"
-    );
+    tomolith_core::contains!(message, "usable from gray 86.15 to 239.06");
     assert!(GrayCurve::new(&measured("gray-uv.csv"), 255.0, CurveForm::Line).is_ok());
 }
 

@@ -1,7 +1,7 @@
 //! Graphics cards as the command names, refuses and uses them.
 #![cfg(feature = "gpu")]
 
-use crate::bench::Bench;
+use crate::bench::{Bench, contains};
 
 const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
@@ -69,10 +69,7 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let text = bench.stdout(0, &line);
     // In software it may take too long to be tried to its end
     let says = "the start of the optimization takes ";
-    assert!(
-        text.contains(says) && text.contains(" MB of the "),
-        "{text}"
-    );
+    contains(&text, "", &[says, " MB of the "]);
     let (six, ten) = ("--set stop.iterations=6", "--set stop.iterations=10");
     let goes_on = format!("{ten} --resume");
     let parallel = ["01-gear", "parallel (on "];

@@ -1,6 +1,6 @@
 //! `calibrate` fits, `expose` and `analyze`: what they find, what they write, and bad input with one message.
 
-use crate::bench::{Bench, JOB};
+use crate::bench::{Bench, JOB, contains};
 use serde_json::Value;
 use std::fs;
 use tomolith::report::number::significant;
@@ -118,12 +118,10 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
     bench.done("check job.toml --quiet");
     for options in ["--form table", "--log-dose --log-response"] {
         let found = bench.json(&format!("calibrate response {stiffness} {options}"));
-        assert!(
-            found["job_table"]
-                .as_str()
-                .unwrap()
-                .contains("[response.table]"),
-            "{found}"
+        contains(
+            found["job_table"].as_str().unwrap(),
+            "",
+            &["[response.table]"],
         );
     }
     bench.write("falls.csv", "0 5\n1 4\n2 3\n3 2\n4 1\n5 0\n");
@@ -193,10 +191,10 @@ fn a_spectrometer_gives_absorption_and_scattering() {
     near(&found["absorption"]["per_mm"], 0.12, 1e-9);
     near(&found["scattering"]["per_mm"], 0.19, 1e-9);
     near(&found["resin"]["cuvette"], 0.04, 1e-9);
-    assert!(
-        bench
-            .read("fit/resin.toml")
-            .contains("scattering_per_mm = 0.19")
+    contains(
+        &bench.read("fit/resin.toml"),
+        "",
+        &["scattering_per_mm = 0.19"],
     );
     assert!(bench.read("fit/absorbance.svg").starts_with("<svg xmlns"));
     // Particles that absorb a quarter of what they take: 0.12 + 0.25·0.19
@@ -305,10 +303,10 @@ fn discs_are_drawn_and_their_result_is_read() {
         0.1 * 16f64.powf(5.5 / 14.0) / 2.0,
         1e-3,
     );
-    assert!(
-        bench
-            .read("dose/resin.toml")
-            .contains("absorption_per_mm = 0.5")
+    contains(
+        &bench.read("dose/resin.toml"),
+        "",
+        &["absorption_per_mm = 0.5"],
     );
     // Disc 4 cured, disc 8 did not
     bench.write(
@@ -389,12 +387,7 @@ fn discs_are_drawn_and_their_result_is_read() {
     assert!(fit["warnings"].to_string().contains(expected), "{fit}");
     let unused = format!("calibrate dose {} --penetration-mm 5", example("discs.csv"));
     let unused = &bench.json(&unused)["warnings"];
-    assert!(
-        unused
-            .to_string()
-            .contains("--penetration-mm 5 is not used"),
-        "{unused}"
-    );
+    contains(&unused.to_string(), "", &["--penetration-mm 5 is not used"]);
     let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
     near(&fit["fit"]["critical_mj_per_cm2"], 38.0, 2.0);
     near(&fit["fit"]["length_mm"], 2.4, 0.1);

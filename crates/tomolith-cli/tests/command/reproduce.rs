@@ -132,9 +132,10 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
         "![map/optimization.pw.svg](map/optimization.pw.svg)",
     ];
     contains(&table, "", &parts);
-    assert!(
-        csv.contains("differs,\"nobody, \"\"never\"\" measured it\",Fig. 2\n"),
-        "{csv}"
+    contains(
+        &csv,
+        "",
+        &["differs,\"nobody, \"\"never\"\" measured it\",Fig. 2\n"],
     );
     assert!(
         bench
@@ -166,18 +167,14 @@ fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() 
     let bench = bench_of(&study);
     let text = bench.stdout(1, "reproduce disc --quick --quiet --output a");
     assert_eq!(text, "");
-    assert!(
-        bench
-            .read("a/table.md")
-            .contains("unexplained: another number, and the study does not say why")
+    contains(
+        &bench.read("a/table.md"),
+        "",
+        &["unexplained: another number, and the study does not say why"],
     );
     let bench = bench_of(&STUDY.replace("\"--pixels\", \"100\"", "\"--pixels\", \"0\""));
     bench.ended(1, "reproduce disc --quick --output a");
-    assert!(
-        bench.read("a/table.csv").contains("no number,"),
-        "{}",
-        bench.read("a/table.csv")
-    );
+    contains(&bench.read("a/table.csv"), "", &["no number,"]);
 }
 
 #[test]

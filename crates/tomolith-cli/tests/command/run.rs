@@ -239,10 +239,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     let gain = &report["levels"];
     assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
     assert!(number(&gain["loss"]) <= number(&gain["diffused_loss"]));
-    assert!(
-        output.contains("by error diffusion over neighboring frames"),
-        "{output}"
-    );
+    contains(&output, "", &["by error diffusion over neighboring frames"]);
     assert!(number(&gain["calls"]) <= 78.0);
     assert_ne!(report["evaluation"], rounded["evaluation"]);
     // What the optimization reached is told apart from what is shown of it
@@ -636,10 +633,7 @@ fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
     bench.done(&line);
     let report = bench.report("cone");
     let models = report["run"]["models"].to_string();
-    assert!(
-        models.contains("successive_orders (rays, 4 per pixel"),
-        "{models}"
-    );
+    contains(&models, "", &["successive_orders (rays, 4 per pixel"]);
     let found = &report["published"]["orders"];
     let errors = ["part", "void"].map(|place| found[place].as_f64().unwrap());
     assert!(errors.iter().all(|error| *error < 0.02), "{found}");

@@ -130,10 +130,7 @@ fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_no
     assert!(message_of("run job.toml --toy").contains(warning));
     let whole = message_of("sweep sweep.toml");
     // Runs are told by what ranks them
-    assert!(
-        whole.contains(warning) && whole.contains("  evaluation.iou "),
-        "{whole}"
-    );
+    contains(&whole, "", &[warning, "  evaluation.iou "]);
     assert!(!message_of("sweep sweep.toml --shard 1/2").contains(warning));
 }
 

@@ -89,11 +89,7 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let own_job = own_job.with_folder(&alone, "--output");
     job::simulate(&own_job, &lone, &mut Silent, &Work::new()).unwrap();
     assert_ne!(report(&alone)["evaluation"], found["evaluation"]);
-    assert!(
-        report(&alone)["notes"]
-            .to_string()
-            .contains("without [co_optimize]")
-    );
+    tomolith_core::contains!(report(&alone)["notes"].to_string(), "without [co_optimize]");
     // The run's own job makes the same numbers again
     let rerun = place.path().join("rerun");
     let own_job = own_job.with_folder(&rerun, "--output");

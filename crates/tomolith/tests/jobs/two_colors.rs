@@ -105,18 +105,12 @@ fn two_species_are_judged_at_one_exposure() {
         "{summary}"
     );
     for name in ["acrylate", "epoxy"] {
-        assert!(
-            summary.contains(&format!("\n{name}: Predicted IoU")),
-            "{summary}"
-        );
+        tomolith_core::contains!(summary, &format!("\n{name}: Predicted IoU"));
         assert!(html.contains(&format!("\"name\":\"{name}\",\"sentence\":\"Predicted IoU")));
     }
     assert_eq!(report["limits"], report["species"][0]["limits"]);
     assert_limits_add_up(&report["species"][1]);
-    assert!(
-        html.contains("Finer pixels of uv may bring more"),
-        "{summary}"
-    );
+    tomolith_core::contains!(html, "Finer pixels of uv may bring more");
     tomolith_core::contains!(summary, "acrylate:", "epoxy:");
     let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
     assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));

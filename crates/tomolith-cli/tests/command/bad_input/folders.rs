@@ -1,7 +1,7 @@
 //! Folders, overrides, resuming and disks.
 
 use super::*;
-use crate::bench::doubles;
+use crate::bench::{contains, doubles};
 
 #[test]
 fn a_folder_that_is_not_ours_is_left_alone() {
@@ -96,12 +96,10 @@ fn an_override_names_itself_and_json_errors_are_one_line() {
         (&line["event"], &line["key"]),
         (&"error".into(), &"light[0].angles".into())
     );
-    assert!(
-        line["found"]
-            .as_str()
-            .unwrap()
-            .contains("--set light.angles=0"),
-        "{line}"
+    contains(
+        line["found"].as_str().unwrap(),
+        "",
+        &["--set light.angles=0"],
     );
     let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
         .args(["simulate", "--json"])

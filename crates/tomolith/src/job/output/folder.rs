@@ -488,11 +488,9 @@ mod tests {
         run("one", "1").publish().unwrap();
         assert_eq!(read("frames/0.png").as_deref(), Some("1"));
         let second = run("two", "2");
-        assert!(
-            RunFolder::open(&path, "three")
-                .unwrap_err()
-                .to_string()
-                .contains("another run")
+        tomolith_core::contains!(
+            RunFolder::open(&path, "three").unwrap_err().to_string(),
+            "another run"
         );
         drop(second); // killed
         assert_eq!(read("frames/0.png").as_deref(), Some("1"));

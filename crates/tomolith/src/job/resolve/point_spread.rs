@@ -83,10 +83,7 @@ mod tests {
         assert_eq!(reach(job.lights()), Some([2, 2]));
         let task = job.task(&Work::new()).unwrap();
         let description = task.model.describe();
-        assert!(
-            description.contains("spread over 5 × 5 pixels"),
-            "{description}"
-        );
+        tomolith_core::contains!(description, "spread over 5 × 5 pixels");
     }
 
     #[test]
