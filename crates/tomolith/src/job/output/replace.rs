@@ -14,7 +14,7 @@ const ASIDE: [&str; 2] = ["output", "resources"];
 const NAMED: usize = 3;
 
 /// Refuses to replace a finished run of another job, unless the user asks for it or goes on from its checkpoint. Jobs are the same
-/// when their resolved tables are, but for `[output]` and `[resources]`.
+/// when their resolved tables are, but for `[output]` and `[resources]`; a toy of a job gives way to the job.
 pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     let folder = job.folder();
     let goes_on = resume && folder.join("checkpoint").exists();
@@ -27,10 +27,15 @@ pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     let was = Document::read(&file).and_then(|text| JobSpec::from_document(&text));
     let changes = match was {
         Ok(was) => {
-            let mut found = Vec::new();
-            let tables = |spec| tables_of(spec, &ASIDE).unwrap_or_default();
-            differences("", &tables(&was), &tables(&job.complete()), &mut found);
-            if found.is_empty() {
+            let tables = |spec: &JobSpec| tables_of(spec, &ASIDE).unwrap_or_default();
+            let was = tables(&was);
+            let changed = |job: &Job| {
+                let mut found = Vec::new();
+                differences("", &was, &tables(&job.complete()), &mut found);
+                found
+            };
+            let found = changed(job);
+            if found.is_empty() || changed(&job.clone().toy()).is_empty() {
                 return Ok(());
             }
             named(&found)
@@ -92,6 +97,12 @@ mod tests {
             "--overwrite"
         );
         must_be_same(&other.clone().overwriting(), false).unwrap();
+        // A toy replaces no run of its job, and is replaced by one
+        assert!(must_be_same(&first.clone().toy(), false).is_err());
+        let toy = first.clone().toy().complete().to_toml().unwrap();
+        fs::write(path.join("job.toml"), toy).unwrap();
+        must_be_same(&first, false).unwrap();
+        assert!(must_be_same(&other, false).is_err());
         // Without a checkpoint there is nothing to go on from
         assert!(must_be_same(&other, true).is_err());
         fs::create_dir(path.join("checkpoint")).unwrap();
