@@ -56,7 +56,7 @@ pub trait HalfRampKernel<F>: Send + Sync {
     fn apply(&self, x: &F, out: &mut F);
 }
 
-/// [`HalfRampKernel`] in host memory: frames in batches of up to [`ROWS`] rows of pixels, which are filtered side by side.
+/// [`HalfRampKernel`] in host memory: frames in batches of rows of pixels, which are filtered side by side.
 #[derive(Clone, Debug)]
 pub struct HostHalfRamp(Arc<[Batch]>);
 
