@@ -23,8 +23,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use wide::f32x8;
 
-/// Rows of pixels that a pass through the columns filters side by side: their elements of a column are one stretch of memory, long enough that the next lines are
-/// there when they are asked for.
+/// Rows of pixels that one pass filters side by side. Their elements of a column lie in one stretch of memory, long enough for the processor to fetch ahead.
 const ROWS: usize = 4 * LANES;
 
 /// Zero and pole of each factor of M.

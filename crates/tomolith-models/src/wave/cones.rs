@@ -14,15 +14,12 @@
 use super::beam::{Spreading, fade, over_the_band};
 use super::coherent::alone;
 use super::light::{Propagation, SpreadingForm};
-use super::lights::{Lights, ModelPropagation};
+use super::lights::ModelPropagation;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
-use crate::{DoseModel, Work};
 use std::f64::consts::{PI, TAU};
 use tomolith_core::dose::waves::{Transfer, WaveMode};
-use tomolith_core::error::Result;
-use tomolith_core::field::HostField;
 use tomolith_fourier::Complex;
 
 /// Directions of the light of a pixel.
@@ -185,17 +182,6 @@ impl ModelPropagation for Cones<f32> {
             vec![mode],
             alone(self.windows.sampling.along.computed.count),
         ))
-    }
-
-    fn along(
-        lights: &Lights<Self>,
-        _x: &HostField,
-        d: &HostField,
-        work: &Work,
-    ) -> Result<Vec<HostField>> {
-        let mut term = lights.new_dose()?;
-        lights.dose(d, &mut term, work)?;
-        Ok(vec![term])
     }
 }
 

@@ -47,13 +47,17 @@ pub(super) trait ModelPropagation: Propagation<f32> + Sized {
     fn modes(&self) -> usize;
     /// How light spreads as data; None where no data say it.
     fn form(&self) -> Option<SpreadingForm>;
-    /// The coefficients of [`DoseModel::along`].
+    /// The coefficients of [`DoseModel::along`]: by default that of a linear model.
     fn along(
         lights: &Lights<Self>,
-        x: &HostField,
+        _x: &HostField,
         d: &HostField,
         work: &Work,
-    ) -> Result<Vec<HostField>>;
+    ) -> Result<Vec<HostField>> {
+        let mut term = lights.new_dose()?;
+        lights.dose(d, &mut term, work)?;
+        Ok(vec![term])
+    }
 }
 
 /// A model: all its lights.

@@ -35,7 +35,7 @@ pub(super) struct Search<'a> {
     /// The pixels of the start.
     pixels: Option<Vec<&'a PatternGrid>>,
     /// What the start allows them.
-    highest: Vec<Limits>,
+    pub(super) highest: Vec<Limits>,
     /// That, below the ceiling.
     bounds: Vec<Limits>,
     /// The patterns of the level before.
@@ -113,7 +113,7 @@ impl<'a> Search<'a> {
         let lower = self.ceiling.as_ref().filter(|found| found.is_lower());
         let lower = lower.filter(|_| job.stop().relative_loss.is_none());
         if let (Some(found), Some(before)) = (lower, &self.pixels) {
-            // Far above the ceiling, so that the start of coarser voxels bounds as well
+            // The ceiling lies far below this bound, so that of the coarser pixels serves
             for ((highest, before), after) in self.highest.iter_mut().zip(before).zip(&pixels) {
                 highest.max *= before.frames() as f64 / after.frames() as f64;
             }

@@ -301,3 +301,28 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
         "{brightest} {brightest_of_start}"
     );
 }
+
+#[test]
+fn a_finer_level_below_a_ceiling_is_bounded_as_its_own_start_would_bound_it() {
+    let (resolved, voxels) = gear("multiresolution = { levels = 1 }");
+    let (place, run) = (tempfile::tempdir().unwrap(), Work::new());
+    let plan = CheckpointPlan {
+        folder: place.path(),
+        resume: false,
+        keeps_end: false,
+    };
+    let (cache, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
+    let (checkpoints, _) = open_checkpoints(&resolved, &voxels, plan, silent).unwrap();
+    let search = Search::begin(&resolved, &voxels, checkpoints, None, cache, silent, &run);
+    let mut search = search.unwrap();
+    assert_eq!(resolved.levels.len(), 2);
+    for (i, level) in resolved.levels.iter().enumerate() {
+        let stage = search.stage(i, level).unwrap();
+        let makes_start = search.start(i, level, &stage).unwrap().is_some();
+        assert_eq!(makes_start, i == 0);
+        let start = stage.start(resolved.method.start.as_ref(), &run).unwrap();
+        let ratio = search.highest[0].max / stage.limits(&start)[0].max;
+        // Twice as many frames: half the light of each
+        assert!((0.7..1.4).contains(&ratio), "level {i}: {ratio}");
+    }
+}
