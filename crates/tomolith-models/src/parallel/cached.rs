@@ -17,7 +17,7 @@ use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, TILE, Tile, TileEntries};
 use super::turned::Turned;
-use super::{GROUP, groups, is_straight};
+use super::{GROUP, groups, is_straight, updates_of_group};
 use crate::Work;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -376,20 +376,22 @@ impl CachedEntries {
     pub(super) fn updates(&self, plan: &LightPlan, nz: usize) -> u64 {
         let views: Vec<_> = groups(0..plan.turned.period).collect();
         let of_groups = self.groups.iter().enumerate().par_map(|(i, group)| {
+            let views = &views[i % self.per_tile];
             let mut lit = Vec::new();
-            let mut total = 0;
-            for (within, view) in views[i % self.per_tile].clone().enumerate() {
-                let slots = (within * plan.columns) as u32..((within + 1) * plan.columns) as u32;
-                for patch in 0..PATCHES * PATCHES {
+            let of_view = |view| {
+                let first = ((view - views.start) * plan.columns) as u32;
+                let slots = first..first + plan.columns as u32;
+                let of_patch = |patch| {
                     lit.clear();
                     let entries = group.patches.of_slots(patch, slots.clone());
                     lit.extend(
                         entries.map(|(slot, weights)| (slot - slots.start, lit_by(weights))),
                     );
-                    total += plan.pairs_of_patch(view, nz, &lit);
-                }
-            }
-            total
+                    plan.pairs_of_patch(view, nz, &lit)
+                };
+                (0..PATCHES * PATCHES).map(of_patch).sum::<u64>()
+            };
+            updates_of_group(views.clone(), self.groups.len(), of_view)
         });
         of_groups.into_iter().sum::<u64>()
     }

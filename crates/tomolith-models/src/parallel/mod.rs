@@ -234,6 +234,8 @@ pub struct Parallel {
 
 /// Views whose entries are found together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
+/// Groups of all tiles from which on updates are counted of one view a group: counting all takes as long as four iterations.
+const MANY_GROUPS: usize = 1000;
 /// Rows of lanes that one thread does in a row.
 const TOGETHER: usize = 256;
 
@@ -429,6 +431,18 @@ fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
+/// Updates of the views of one of so many groups; of very many, those of a view in its middle stand for the others.
+fn updates_of_group(
+    views: Range<usize>,
+    groups: usize,
+    mut of_view: impl FnMut(usize) -> u64,
+) -> u64 {
+    if groups < MANY_GROUPS {
+        return views.map(of_view).sum();
+    }
+    views.len() as u64 * of_view(views.start + views.len() / 2)
+}
+
 /// Refuses a kernel of pure Radon where light bends or is weakened.
 fn check_kernel(kernel: Kernel, light: &Light, vial: &dyn Vial) -> Result<()> {
     let name = kernel.name();
@@ -610,7 +624,7 @@ impl DoseModel for Parallel {
 }
 
 impl Parallel {
-    /// Pairs of voxel and frame of which at least one active pixel lights the voxel, times the angles of a frame.
+    /// Pairs of voxel and frame of which at least one active pixel lights the voxel, times the angles of a frame; of large models within a part in a thousand.
     fn count_updates(&self) -> u64 {
         let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
@@ -620,10 +634,13 @@ impl Parallel {
             {
                 return entries.cached.updates(plan, nz);
             }
+            let period = plan.turned.period;
+            let all = self.tiles.len() * groups(0..period).count();
             let tiles = self.tiles.iter().enumerate();
             let of_tiles = tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {
-                (0..plan.turned.period)
-                    .map(|view| plan.updates_in(view, index, tile, nz, entries))
+                let mut of_view = |view| plan.updates_in(view, index, tile, nz, entries);
+                groups(0..period)
+                    .map(|views| updates_of_group(views, all, &mut of_view))
                     .sum::<u64>()
             });
             of_tiles.into_iter().sum::<u64>()

@@ -44,6 +44,8 @@ pub(super) struct LightPlan {
     pub(super) views: Views,
     pub(super) turned: Turned,
     pub(super) of_view: Vec<Range<usize>>,
+    /// Of each frame.
+    sub_angles: u64,
     /// Beams of uniform strips, for a single slice.
     pub(super) uniform_strips: Vec<Option<UniformStrips>>,
     /// How tiles and beams meet: `[tile][beam]`.
@@ -170,6 +172,7 @@ impl LightPlan {
         let lit = lit(&views, pixels.columns, &lit_by(&levels.overlaps));
         LightPlan {
             of_view: of_views(&beams, views.count()),
+            sub_angles: light.sub_angles.max(1) as u64,
             beams,
             turned,
             views,
@@ -368,7 +371,7 @@ impl LightPlan {
             let lit = lanes.into_iter().filter(|lit| lit.1 > lit.0);
             lit.map(|lit| slices(lit, nz)).sum::<u64>()
         };
-        self.of_view[view].len() as u64 * self.frames_of(view).map(of_frame).sum::<u64>()
+        self.sub_angles * self.frames_of(view).map(of_frame).sum::<u64>()
     }
 
     /// Pairs of a patch, from columns and a bit for each voxel that they light.
@@ -397,7 +400,7 @@ impl LightPlan {
                 });
                 self.pairs::<8>(view, nz, each)
             },
-            |total| self.of_view[view].len() as u64 * total,
+            |total| self.sub_angles * total,
         )
     }
 

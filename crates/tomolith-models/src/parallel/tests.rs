@@ -46,6 +46,29 @@ fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
 }
 
 #[test]
+fn updates_of_many_groups_are_counted_within_a_part_in_a_thousand() {
+    let vial = Cylinder::new(6.0, 6.2, 1.58);
+    let light = weakened(PatternGrid::full_turn(97, 0.2, 4, 110, 0.1), 0.2);
+    let grid = VolumeGrid::centered([5, 220, 220], 0.05);
+    for finding in [Finding::Once, Finding::InEachCall] {
+        let (lights, grid, kernel) = (vec![light.clone()], grid.clone(), Kernel::default());
+        let model = Parallel::planned(&vial, lights, kernel, grid, finding, &Work::new()).unwrap();
+        let plan = &model.lights[0];
+        let period = plan.turned.period;
+        assert!(model.tiles.len() * groups(0..period).count() >= MANY_GROUPS);
+        let tiles = model.tiles.iter().enumerate();
+        let of_tiles = tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {
+            let of_view = |view| plan.updates_in(view, index, tile, 5, entries);
+            (0..period).map(of_view).sum::<u64>()
+        });
+        let all = of_tiles.into_iter().sum::<u64>() as f64;
+        // Light of 11 mm, as wide as the slice, reaches a strip of 11/1.48 mm behind the round wall. Beams of one angle count once
+        near!(all / (5 * 220 * 220 * 97) as f64, 1.0 / 1.48, 0.01);
+        near!(model.updates() as f64, all, 1e-3 * all);
+    }
+}
+
+#[test]
 fn every_vial_on_every_path_passes_the_model_check() {
     for vial in vials() {
         for isa in Isa::available() {
