@@ -77,6 +77,12 @@ pub(crate) struct ExposeArguments {
 /// `exposure.json` of a run folder.
 fn exposure_of(run: &Path) -> Result<Value> {
     let path = run.join("exposure.json");
+    if !path.exists() {
+        let run = run.display();
+        let found =
+            format!("`{run}` has no exposure.json: it was run with --keep metrics or patterns");
+        return Err(Error::config("RUN", found, "a run that left all its files"));
+    }
     serde_json::from_str(&read_text(&path)?)
         .map_err(|e| Error::format(path, e.to_string(), "the file of a run of Tomolith"))
 }

@@ -35,6 +35,8 @@ use arguments::{
     command_line, must_be_a_place, must_end_in,
 };
 use clap::FromArgMatches;
+use clap::builder::StyledStr;
+use clap::error::{ContextKind, ContextValue};
 use ranks::Ranks;
 pub use reproduce::Itself;
 use screen::{Screen, say};
@@ -178,23 +180,37 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
     let is_json = words.iter().any(|word| word == "--json");
     let typed = command_line().try_get_matches_from(words);
     let typed = typed.and_then(|typed| Arguments::from_arg_matches(&typed));
-    typed.map_err(|error| match error.print() {
-        _ if error.use_stderr() && is_json => {
-            let text = error.to_string();
-            let text = text.strip_prefix("error: ").unwrap_or(&text);
-            // Which arguments are meant may stand on lines of their own
-            let lines = text.lines().take_while(|line| !line.is_empty());
-            let message = lines.map(str::trim).collect::<Vec<_>>().join(" ");
-            let line = serde_json::json!({ "event": "error", "message": message });
-            screen::say(&line.to_string());
-            REFUSED
+    typed
+        .map_err(without_escape)
+        .map_err(|error| match error.print() {
+            _ if error.use_stderr() && is_json => {
+                let text = error.to_string();
+                let text = text.strip_prefix("error: ").unwrap_or(&text);
+                // Which arguments are meant may stand on lines of their own
+                let lines = text.lines().take_while(|line| !line.is_empty());
+                let message = lines.map(str::trim).collect::<Vec<_>>().join(" ");
+                let line = serde_json::json!({ "event": "error", "message": message });
+                screen::say(&line.to_string());
+                REFUSED
+            }
+            printed if !error.use_stderr() => {
+                screen::take(printed);
+                DONE
+            }
+            _ => REFUSED,
+        })
+}
+
+/// The error without the tip to pass an unknown option as a value: no job or run is named so.
+fn without_escape(mut error: clap::Error) -> clap::Error {
+    if let Some(ContextValue::StyledStrs(tips)) = error.remove(ContextKind::Suggested) {
+        let is_escape = |tip: &StyledStr| tip.to_string().starts_with("to pass");
+        let tips: Vec<_> = tips.into_iter().filter(|tip| !is_escape(tip)).collect();
+        if !tips.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
         }
-        printed if !error.use_stderr() => {
-            screen::take(printed);
-            DONE
-        }
-        _ => REFUSED,
-    })
+    }
+    error
 }
 
 /// A command that is met when it ends without an error. Asked to stop it ends where it looks for the request, or else shortly after,

@@ -302,3 +302,23 @@ fn dead_pixels_that_leave_the_part_in_the_dark_are_blamed() {
     ];
     bench.refused_before_work(&job, &parts);
 }
+
+#[test]
+fn what_a_run_did_not_leave_is_named_with_its_option() {
+    let bench = Bench::with(&[("job.toml", JOB)]);
+    bench.done("run job.toml --output bare --keep metrics --quiet");
+    bench.done("run job.toml --output light --keep patterns --quiet");
+    let no_patterns = &["has no patterns: it was run with --keep metrics"];
+    bench.refuse("export bare --output frames", no_patterns);
+    bench.refuse("simulate job.toml --patterns bare --output s", no_patterns);
+    let no_exposure = &["has no exposure.json: it was run with --keep metrics or patterns"];
+    bench.refuse("expose light", no_exposure);
+}
+
+#[test]
+fn an_option_that_there_is_not_is_not_taken_for_a_value() {
+    let bench = Bench::with(&[("job.toml", JOB)]);
+    let text = bench.says(2, "simulate job.toml --keep metrics", &["--keep"]);
+    assert!(!text.contains("-- --keep"), "{text}");
+    bench.says(2, "run job.toml --quite", &["--quiet"]);
+}

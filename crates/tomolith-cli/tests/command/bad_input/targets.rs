@@ -231,3 +231,12 @@ fn goals_of_part_and_void_are_refused_for_gray_values() {
         assert_eq!(output.status.code(), Some(code), "{asked}");
     }
 }
+
+#[test]
+fn pixels_in_micrometers_are_blamed_where_voxels_follow_them() {
+    let bench = Bench::beside_a_run();
+    let job = JOB.replace("[grid]\npitch_mm = 0.1", "");
+    let pixels = ["--set", "light.projector.collimated.pixel_pitch_mm=50"];
+    let found = "light[0].projector: a pixel is 50 mm wide, the part 2 mm long";
+    bench.refused(&job, &pixels, &[found, "\"50 um\""]);
+}

@@ -80,12 +80,22 @@ pub(crate) fn exposed(
         .collect()
 }
 
+/// The error of a run that left no patterns.
+pub(crate) fn without_patterns(key: &str, run: &Path) -> Error {
+    let run = run.display();
+    let found = format!("`{run}` has no patterns: it was run with --keep metrics");
+    Error::config(key, found, "a run that left them")
+}
+
 /// Patterns of a file, one set per light of the job: `patterns.npz` or the run folder that holds it; or what a machine
 /// shows: a folder of frames, a `frames.npz`, a movie. And what people should know of them.
 pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));
     let path = within.iter().find(|path| path.exists());
+    if path.is_none() && given.join("history.csv").exists() {
+        return Err(without_patterns("--patterns", given));
+    }
     let path = path.map_or(given, PathBuf::as_path);
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
     for i in 0..job.optics.lights.len() {

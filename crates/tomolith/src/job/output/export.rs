@@ -165,14 +165,7 @@ pub fn export(
         machine::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
     let names = of_lights(spec);
     if !run.join("patterns.npz").is_file() {
-        return Err(Error::config(
-            "RUN",
-            format!(
-                "`{}` has no patterns: it was run with --keep metrics",
-                run.display()
-            ),
-            "a run that left them",
-        ));
+        return Err(written::without_patterns("RUN", run));
     }
     let (shown, raw) = written::wanted_of(&run.join("patterns.npz"), &optics, &names, work)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);

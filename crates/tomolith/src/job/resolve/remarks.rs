@@ -100,7 +100,7 @@ pub(crate) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -
     spec.target.ask_for_unit(shape.bounds_mm(), expected)
 }
 
-/// Refuses a part smaller than a voxel: by the key that says how large it is, unless the voxels are coarse for these pixels.
+/// Refuses a part smaller than a voxel: by the pixels where voxels are as wide as these, else by the key that says how large it is, unless the voxels are coarse for the pixels.
 pub(crate) fn must_be_seen(
     spec: &JobSpec,
     shape: &dyn Shape,
@@ -112,6 +112,14 @@ pub(crate) fn must_be_seen(
     let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
     if longest >= grid.pitch_mm || (is_coarse && question.is_none()) {
         return Ok(());
+    }
+    if spec.grid.pitch_mm.is_none() && spec.grid.shape.is_none() && question.is_none() {
+        let (pixel, part) = (concise(grid.pitch_mm), concise(longest));
+        return Err(Error::config(
+            "light[0].projector",
+            format!("a pixel is {pixel} mm wide, the part {part} mm long"),
+            "pixels narrower than the part: a pixel_pitch_mm in mm, or a text with its unit, such as \"50 um\"; else a larger target",
+        ));
     }
     let key = match &spec.target {
         target if target.size_mm.is_some() => "target.size_mm",
