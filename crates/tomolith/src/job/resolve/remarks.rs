@@ -1,5 +1,6 @@
 //! Remarks on a job before it runs: a doubtful unit, few angles, choices that no line of the screen shows. Also finds the key that an error belongs to.
 
+use super::goal::Goal;
 use super::method::Method;
 use super::optics::Optics;
 use super::resources::compared;
@@ -12,7 +13,7 @@ use crate::optimize::Keep;
 use crate::optimize::start::given::OfFile;
 use crate::report::number::significant;
 use crate::target::Shape;
-use crate::units::concise;
+use crate::units::{concise, exact};
 use std::collections::BTreeSet;
 use tomolith_material::photopolymer::Curing;
 
@@ -148,6 +149,22 @@ pub(crate) fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
             .to_owned()
     })
 }
+
+/// Says that the threshold of the evaluation is far from those that patterns are made for, such as one in percent.
+pub(crate) fn far_threshold(spec: &JobSpec, goal: &Goal) -> Option<String> {
+    let (at, [low, high]) = (spec.evaluate.threshold?, goal.thresholds()?);
+    let is_far = at < low / FAR || at > high * FAR;
+    is_far.then(|| {
+        let [at, low, high] = [at, low, high].map(exact);
+        format!(
+            "evaluate.threshold = {at} is far from the objective's thresholds {low} and {high}, between which patterns are made to turn resin solid: \
+             the print is predicted at another exposure; use a dose between them, or leave the key out for the one with the best IoU"
+        )
+    })
+}
+
+/// By how many times a threshold may lie beyond the objective's without a word.
+const FAR: f64 = 2.0;
 
 /// Directions from which light comes, below which a part cannot take its shape.
 const FEW_ANGLES: usize = 12;

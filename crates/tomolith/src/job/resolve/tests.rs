@@ -1,6 +1,8 @@
 use super::grid::{cut, on_rows};
 use crate::grid::PatternGrid;
+use crate::job::resolve::goal::Goal;
 use crate::job::resolve::*;
+use std::path::Path;
 
 #[test]
 fn a_grid_is_cut_by_the_resin_and_stays_where_it_was() {
@@ -50,5 +52,21 @@ fn light_from_less_than_half_a_turn_is_told() {
     // Half a turn is enough, and few directions are told otherwise
     for angles in ["{ count = 36, arc_deg = 180 }", "72", "12", "4"] {
         assert_eq!(remark_of(angles), None, "{angles}");
+    }
+}
+
+#[test]
+fn a_threshold_in_percent_is_told() {
+    use super::optics::tests::spec;
+    use super::remarks::far_threshold;
+    let remark_of = |threshold: &str| {
+        let objective = "objective={ threshold = { lower = 0.8, upper = 0.9 } }";
+        let spec = spec(&[objective, &format!("evaluate.threshold={threshold}")]);
+        far_threshold(&spec, &Goal::read(&spec, Path::new("")).unwrap())
+    };
+    let far = remark_of("80").unwrap();
+    assert!(far.contains("80 is far from the objective's thresholds 0.8 and 0.9"));
+    for near in ["0.5", "0.85", "1.5"] {
+        assert_eq!(remark_of(near), None, "{near}");
     }
 }
