@@ -2,7 +2,7 @@
 //!
 //! Most tiles of a slice are lit by uniform strips and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a
 //! resin wall cuts it, entries are found one by one: two tiles in a hundred took a third of the time of a slice. A model that is called
-//! again and again stores them, where they take about [`MOST`] bytes a light at most. Sums along them have the same order, and so the
+//! again and again stores them, of a light about [`MOST`] bytes at most, and finds the rest in each call. Sums along them have the same order, and so the
 //! same bits.
 
 use super::Parallel;
@@ -14,10 +14,10 @@ use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
 /// Most bytes that are stored of a light, by [`OF_MEETING`].
-const MOST: usize = 128 << 20;
+pub(super) const MOST: usize = 256 << 20;
 
 /// Bytes of a tile and a beam, roughly: three columns cross a voxel at most times, each with a slot and a weight.
-const OF_MEETING: usize = 3 * TILE * TILE * (size_of::<u32>() + size_of::<f32>());
+pub(super) const OF_MEETING: usize = 3 * TILE * TILE * (size_of::<u32>() + size_of::<f32>());
 
 /// Most bytes that are stored of these lights in a slice of so many voxels.
 pub(super) fn bytes(lights: &[Light], voxels: usize) -> f64 {
@@ -36,16 +36,13 @@ pub(super) struct Loose {
 }
 
 impl Loose {
-    /// Finds them; empty where they are too many.
-    pub(super) fn of(model: &Parallel, plan: &LightPlan, work: &Work) -> Result<Self> {
+    /// Finds those that take at most so many bytes, by [`OF_MEETING`].
+    pub(super) fn of(model: &Parallel, plan: &LightPlan, most: usize, work: &Work) -> Result<Self> {
         let beams = plan.beams.len();
         let needed = |&at: &usize| model.is_loose(plan, at % beams, plan.meetings[at]);
-        let places: Vec<usize> = (0..plan.meetings.len()).filter(needed).collect();
+        let places = (0..plan.meetings.len()).filter(needed);
+        let places: Vec<usize> = places.take(most / OF_MEETING).collect();
         let mut at = vec![0; plan.meetings.len()];
-        if places.len() * OF_MEETING > MOST {
-            let found = Vec::new();
-            return Ok(Loose { at, found });
-        }
         let find = |&at: &usize| {
             let mut found = TileEntries::default();
             if !work.is_canceled() {

@@ -355,7 +355,7 @@ impl Parallel {
     /// The stored single entries of a light of a slice; None where none are.
     fn loose(&self, light: usize, work: &Work) -> Result<Option<&Loose>> {
         if self.finding == Finding::Once && self.loose[light].get().is_none() {
-            let found = Loose::of(self, &self.lights[light], work)?;
+            let found = Loose::of(self, &self.lights[light], loose::MOST, work)?;
             let _ = self.loose[light].set(found);
         }
         Ok(self.loose[light].get())
