@@ -4,9 +4,16 @@
 //! enumerator of [`tiles`](super::tiles) becomes arithmetic on sixteen rows (for a strip) or sixteen voxels (for a row) at a
 //! time, with the very same formulas, so that dose and adjoint stay one matrix. AVX-512 only; other machines and all
 //! other tiles take the plain way.
-#![expect(
-    unsafe_code,
-    reason = "kernel file: vector arithmetic needs intrinsics"
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(
+        unsafe_code,
+        reason = "kernel file: vector arithmetic needs intrinsics"
+    )
+)]
+#![cfg_attr(
+    not(target_arch = "x86_64"),
+    expect(unused, reason = "only kernels of AVX-512 read chains")
 )]
 
 use super::strips::{Beam, Columns};

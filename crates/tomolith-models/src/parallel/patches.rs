@@ -3,9 +3,12 @@
 //! A pixel is wider than a voxel, so most columns that light a voxel light its neighbors, too. What is read of a column serves four voxels, which are
 //! held in registers: a multiply-add takes a third of the reads of one that serves a single voxel ([`kernel`](super::kernel)). Paths are chosen at
 //! run time as there.
-#![expect(
-    unsafe_code,
-    reason = "kernel file: registers and run-time dispatch need intrinsics"
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(
+        unsafe_code,
+        reason = "kernel file: registers and run-time dispatch need intrinsics"
+    )
 )]
 
 use super::block_sparsity::LENGTHS;
@@ -176,6 +179,7 @@ pub(super) fn block_lengths(isa: Isa, parts: usize) -> [usize; 2] {
 }
 
 /// Asks for the lines of the cache that lanes lie in: they are read soon.
+#[cfg_attr(not(target_arch = "x86_64"), expect(unused_variables))]
 pub(super) fn prefetch(lanes: &[f32]) {
     #[cfg(target_arch = "x86_64")]
     for line in lanes.chunks(LANES) {

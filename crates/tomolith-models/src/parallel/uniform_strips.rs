@@ -11,9 +11,12 @@
 //! adjoint   g(j)    += row · s·(I(e(j + 1)) − I(e(j))),   e(j) = (j − τ₀)/s,   I(e) = ∫₀ᵉ c
 //! ```
 //! The integral of the cotangent c over a row is piecewise linear, so it is two table look-ups in registers.
-#![expect(
-    unsafe_code,
-    reason = "kernel file: registers and run-time dispatch need intrinsics"
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(
+        unsafe_code,
+        reason = "kernel file: registers and run-time dispatch need intrinsics"
+    )
 )]
 
 use super::kernel::Isa;

@@ -21,7 +21,10 @@
 //!
 //! # Cost
 //! Some fifteen operations a row and voxel of the plane, eight rows at a time with AVX2; the bits are those of the plain loop.
-#![expect(unsafe_code, reason = "kernel file: run-time dispatch")]
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "kernel file: run-time dispatch")
+)]
 
 use super::segment::Lattice;
 use crate::parallel::kernel::Isa;

@@ -35,6 +35,7 @@ const SHORT: f32 = 2.5;
 /// Above this attenuation per cell, differences of exponentials are exact enough and φ's series is not.
 const OPAQUE: f32 = 0.5;
 /// Up to this attenuation per cell the last four terms of φ's series give it to 1e-8.
+#[cfg(target_arch = "x86_64")]
 const THIN: f32 = 0.03;
 
 /// What a walk needs of the grid, for one major axis.
