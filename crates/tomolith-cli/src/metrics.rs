@@ -10,7 +10,7 @@ use tomolith::io::array::read_any;
 use tomolith::io::npy::place_of;
 use tomolith::metrics::print::Print;
 use tomolith::metrics::published::unit_systems::{Converted, UnitSystem};
-use tomolith::metrics::published::{Options, of_print, value_of};
+use tomolith::metrics::published::{Options, of_print};
 use tomolith::metrics::{Evaluation, METRICS, Published, evaluate};
 use tomolith::report::json::evaluation_json;
 use tomolith::target::label::{OUTSIDE, PART, VOID};
@@ -89,7 +89,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         ..Options::default()
     };
     let (numbers, slices) = of_print(&print, &target, &options).map_err(as_option)?;
-    let systems = units.and_then(|units| units.systems(&numbers));
+    let systems = units.and_then(|units| units.systems(evaluation.gel_threshold));
     let mut found = json!({
         "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
     });
@@ -162,9 +162,9 @@ impl Units {
         }))
     }
 
-    /// The brightest pixel and the dose of the best threshold in every system; none where no threshold prints.
-    fn systems(self, numbers: &[Published]) -> Option<[Converted; 4]> {
-        let dose = value_of(numbers, "threshold_jaccard")?;
+    /// The brightest pixel and the gel dose in every system; none where no threshold prints.
+    fn systems(self, gel_dose: Option<f64>) -> Option<[Converted; 4]> {
+        let dose = gel_dose?;
         let convert = |s: UnitSystem| {
             s.convert(
                 self.brightest,

@@ -56,7 +56,7 @@ pub struct FinestTrial {
 pub struct CeilingReport {
     /// The brightest pixel of all lights within the bound of the start, for the frames of the run, in the unit of patterns.
     pub brightest: f64,
-    /// Mean dose in the part where every pixel of every frame of the run is 1, mJ/mm³.
+    /// Mean dose in the part where every pixel of every frame of the run is 1, mJ/mm³; 0 with several lights.
     pub even_dose: f64,
     /// What was tried, in order; the first is without a ceiling.
     pub points: Vec<CeilingPoint>,
@@ -98,18 +98,21 @@ impl CeilingReport {
         exposure: Option<&ExposureWindow>,
     ) -> Vec<TradeOff> {
         let of_run = |name| evaluation.measures.get(name).filter(|v| v.is_finite());
+        // All at the best exposure, which is not the reported one where the job names a threshold
         let dose = exposure.and_then(|window| window.dose?.best);
         let seconds = exposure.and_then(|window| window.time_s?.best);
-        let at = |brightest: f64| {
-            let time_mm = dose.map(|dose| brightest / dose);
-            let s_per_mm = seconds.zip(of_run("time_mm")).map(|(s, mm)| s / mm);
-            let time_s = time_mm.zip(s_per_mm).map(|(mm, s_per_mm)| mm * s_per_mm);
-            TradeOff {
-                brightest,
-                time_mm,
-                time_s,
-                ..TradeOff::default()
-            }
+        let reported = exposure
+            .and_then(|window| window.reported_percent)
+            .map(|percent| percent / 100.0);
+        let of_patterns = || Some(of_run("time_mm")? * dose? / reported?);
+        let of_patterns = of_patterns();
+        let at = |brightest: f64| TradeOff {
+            brightest,
+            time_mm: dose.map(|dose| brightest / dose),
+            time_s: seconds
+                .zip(of_patterns)
+                .map(|(s, most)| s * brightest / most),
+            ..TradeOff::default()
         };
         let changed_by = self.finest.as_ref().map_or(1.0, |trial| trial.changed_by);
         let is_changed = (changed_by - 1.0).abs() > 1e-9;
@@ -126,14 +129,18 @@ impl CeilingReport {
                 ..at(self.brightest * point.factor)
             }
         };
+        // Its brightest pixel may lie below its ceiling
         let brightest = match self.chosen {
-            Some(i) => is_changed.then(|| self.brightest * self.points[i].factor * changed_by),
-            None => of_run("time_mm").zip(dose).map(|(mm, dose)| mm * dose),
+            Some(_) if !is_changed => None,
+            Some(i) => of_patterns.or(Some(self.brightest * self.points[i].factor * changed_by)),
+            None => of_patterns,
         };
+        let is_best = reported.is_some_and(|exposure| (exposure - 1.0).abs() < 1e-9);
+        let at_best = |name| of_run(name).filter(|_| is_best);
         let run_row = brightest.map(|brightest| TradeOff {
-            iou: of_run("iou"),
-            ver: of_run("ver"),
-            surface_mean_mm: of_run("surface_mean_mm"),
+            iou: exposure.map(|window| window.best),
+            ver: at_best("ver"),
+            surface_mean_mm: at_best("surface_mean_mm"),
             is_chosen: true,
             is_evaluated: true,
             ..at(brightest)
@@ -176,7 +183,7 @@ impl CeilingReport {
             .as_ref()
             .filter(|trial| trial.changed_by > 1.0)?;
         Some(format!(
-            "the ceiling of the pixels that was found on a coarser level makes the print worse than bounds.tolerance allows: {0}. It was raised to {1} times, and the print takes {1} times as \
+            "the ceiling of the pixels that was found on a coarser level makes the print worse than bounds.tolerance allows: {0}. It was raised to {1} times, and the print takes up to {1} times as \
              long; for the faster print raise bounds.tolerance, for the brightest pixels set bounds.ceiling = \"start\"",
             trial.sentence(),
             significant(trial.changed_by, 3)
@@ -248,6 +255,7 @@ pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> O
 mod tests {
     use super::*;
     use crate::tests::Sample;
+    use tomolith_core::near;
     use tomolith_core::response::Identity;
 
     fn ceiling(changed_by: f64) -> CeilingReport {
@@ -299,12 +307,12 @@ mod tests {
         assert_eq!((raised.len(), chosen(&raised)), (4, Some(1)));
         let of_run = |name| evaluation.measures.get(name);
         assert!(raised[1].is_evaluated && raised[1].iou == of_run("iou"));
+        assert_eq!(raised[1].ver, of_run("ver"));
         let dose = window.dose.unwrap().best.unwrap();
-        let time_mm = raised[1].time_mm.unwrap();
-        assert!((time_mm - 6.0 / dose).abs() < 1e-9);
-        // The run itself takes 30 s
-        let expected = 30.0 * time_mm / 4.0;
-        assert!((raised[1].time_s.unwrap() - expected).abs() < 1e-9);
+        // The run itself takes 30 s: its brightest pixel counts, not a ceiling that none reaches
+        near!(raised[1].time_mm.unwrap(), 4.0, 1e-9);
+        near!(raised[1].time_s.unwrap(), 30.0, 1e-9);
+        near!(raised[0].time_s.unwrap(), 30.0 * 8.0 / (4.0 * dose), 1e-9);
         // The bound of the start is not what was tried on wider pixels
         let without = CeilingReport {
             chosen: None,
@@ -315,5 +323,17 @@ mod tests {
         let chosen = rows.iter().find(|row| row.is_chosen).unwrap();
         assert!(chosen.is_evaluated && rows.len() == 4);
         assert!((chosen.time_mm.unwrap() - 4.0).abs() < 1e-9);
+        // Of a job that names a threshold 4/5 as high the print in the report lasts a quarter longer than the best one, and has a quarter less M/t there
+        evaluation.gel_threshold = evaluation.gel_threshold.map(|best| 0.8 * best);
+        let measures = evaluation.measures.0.iter_mut();
+        let time_mm = measures.filter(|(name, _)| *name == "time_mm");
+        time_mm.for_each(|(_, value)| *value = Some(5.0));
+        let reported = ExposureWindow::new(&evaluation, &Identity, Some(37.5)).unwrap();
+        let named = without.trade_off(&evaluation, Some(&reported));
+        for (named, best) in named.iter().zip(&rows) {
+            near!(named.brightest, best.brightest, 1e-9);
+            near!(named.time_mm.unwrap(), best.time_mm.unwrap(), 1e-9);
+            near!(named.time_s.unwrap(), best.time_s.unwrap(), 1e-9);
+        }
     }
 }

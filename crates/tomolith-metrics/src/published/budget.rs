@@ -2,9 +2,9 @@
 //!
 //! **Equation** sent = Σ x·(pixel pitch)², absorbed in a region = Σ_v d_v·(voxel pitch)³, both in the unit of dose times mm³: mJ
 //! where doses are mJ/mm³, else relative as they are; shares are absorbed over sent. What is neither in the part nor in the void of the grid is reflected, leaves the vial, or is absorbed
-//! elsewhere. Doses are those of the active species; with pure Radon (a sum of fluences) the shares mean nothing.
+//! elsewhere. Doses are those of the active species; of a dose that is no absorbed light (pure Radon, lights with factors) there are no shares of the light.
 
-use super::{List, TOMOLITH};
+use super::{List, Options, TOMOLITH};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume};
 use tomolith_core::parallel::InParallel;
@@ -42,10 +42,11 @@ pub(super) fn list(
     list: &mut List,
     dose: &Volume<f32>,
     labels: &Volume<u8>,
-    patterns: &[Patterns],
+    options: &Options<'_>,
 ) {
+    let patterns = options.patterns;
     let [sent, part, void] = light_budget(dose, labels, patterns);
-    let share = |energy: f64| (sent > 0.0).then(|| energy / sent);
+    let share = |energy: f64| (options.is_absorbed && sent > 0.0).then(|| energy / sent);
     list.add(
         "light_sent",
         TOMOLITH,
@@ -74,7 +75,7 @@ pub(super) fn list(
         TOMOLITH,
         "",
         useful,
-        "share of the absorbed light that is absorbed in the part",
+        "share of the dose of part and void that is in the part",
     );
 }
 
@@ -93,8 +94,24 @@ mod tests {
         let labels = Volume::new(grid, vec![PART, VOID, OUTSIDE]);
         // 8·0.25 mJ sent; a voxel is 0.125 mm³
         let mut numbers = List::default();
-        list(&mut numbers, &dose, &labels, &[patterns]);
-        let values: Vec<_> = numbers.0.iter().map(|n| n.value.unwrap()).collect();
-        assert_eq!(values, [2.0, 0.25, 0.125, 0.5 / 0.75]);
+        let options = Options {
+            patterns: &[patterns],
+            ..Options::default()
+        };
+        list(&mut numbers, &dose, &labels, &options);
+        let values = |list: &List| list.0.iter().map(|n| n.value).collect::<Vec<_>>();
+        let useful = Some(0.5 / 0.75);
+        assert_eq!(
+            values(&numbers),
+            [Some(2.0), Some(0.25), Some(0.125), useful]
+        );
+        // A sum of fluences is no share of the light
+        let mut numbers = List::default();
+        let fluence = Options {
+            is_absorbed: false,
+            ..options
+        };
+        list(&mut numbers, &dose, &labels, &fluence);
+        assert_eq!(values(&numbers), [Some(2.0), None, None, useful]);
     }
 }

@@ -89,6 +89,8 @@ pub struct Options<'a> {
     pub trim_percent: f64,
     /// The patterns that made the dose, one entry per light; empty when they are not known.
     pub patterns: &'a [Patterns],
+    /// Whether the dose is the absorbed light of these patterns, and no fluence or weighted sum.
+    pub is_absorbed: bool,
 }
 
 /// As in the publications: ε = 0.05 (BCLP) and α = 0.025 % (AID, figure 14); the response is the dose.
@@ -100,6 +102,7 @@ impl Default for Options<'_> {
             epsilon: 0.05,
             trim_percent: 0.025,
             patterns: &[],
+            is_absorbed: true,
         }
     }
 }
@@ -143,7 +146,7 @@ pub fn of_print(
     band_errors(&mut list, dose, target, labels, options);
     work.check()?;
     slices::worst(&mut list, &slices);
-    budget::list(&mut list, dose, labels, options.patterns);
+    budget::list(&mut list, dose, labels, options);
     work.check()?;
     Ok((list.0, slices))
 }

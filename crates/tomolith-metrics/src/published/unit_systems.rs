@@ -7,8 +7,8 @@
 //! | [`Areal`](UnitSystem::Areal) | areal dose, J/cm² | none | J/cm² |
 //! | [`ArealRate`](UnitSystem::ArealRate) | intensity, W/cm² | time, s | J/cm² |
 //!
-//! Ours are the first row in mm and mJ: 1 mJ/mm² = 0.1 J/cm², 1 mJ/mm³ = 1 J/cm³, 1 per mm = 10 per cm. The time is that for
-//! which a pixel is lit: the whole exposure for a sum over all frames, its share for one frame. **Source** Li et al.,
+//! Ours are the first row in mm and mJ: 1 mJ/mm² = 0.1 J/cm², 1 mJ/mm³ = 1 J/cm³, 1 per mm = 10 per cm. The time is that of
+//! the whole exposure: an intensity is a mean over all frames, of which a pixel shines in one. **Source** Li et al.,
 //! Additive Manufacturing 94 (2024) 104447, supplement S.9.
 //!
 //! ```

@@ -25,6 +25,7 @@ use crate::job::dose::doses::{Doses, Exposed};
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
+use crate::metrics::latitude::Latitude;
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
@@ -350,6 +351,7 @@ fn numbers(
         response: material,
         gray: fine.target.gray,
         patterns: shown,
+        is_absorbed: job.is_absorbed(s),
         trim_percent: job.evaluation().trim_percent,
         epsilon: species.half_width(),
     };
@@ -513,10 +515,13 @@ pub(crate) fn headline(is_gray: bool) -> &'static MetricKind {
     if is_gray { &gray::RMS } else { &iou::KIND }
 }
 
-/// The best IoU over all thresholds, where the job names one; else None.
+/// The best IoU over all thresholds, where the job names one; None for gray targets.
 pub(crate) fn at_best_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> Measure {
-    let best = evaluation.curve.iter().map(|[_, iou]| *iou);
-    job.evaluation().threshold.and(best.reduce(f64::max))
+    job.evaluation().threshold?;
+    match evaluation.latitude? {
+        Latitude::Thresholds { iou, .. } => Some(iou),
+        Latitude::Exposures { .. } => None,
+    }
 }
 
 /// What the metrics look at, as a part of a run.

@@ -376,8 +376,11 @@ pub(crate) fn are_good(
 }
 
 impl Stage<'_> {
-    /// Mean dose in the part of the first output where every pixel is 1.
+    /// Mean dose in the part of the first output where every pixel is 1; 0 with several lights, which need not shine alike.
     fn even_dose(&self, like: &HostField, work: &Work) -> Result<f64> {
+        if self.model.patterns().len() > 1 {
+            return Ok(0.0);
+        }
         let mut ones = like.zeros_like();
         ones.fill(1.0);
         let mut dose = self.model.new_dose()?;

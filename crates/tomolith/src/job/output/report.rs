@@ -19,6 +19,7 @@ use crate::kind::table_of;
 use crate::metrics::print::PatternStats;
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
+use crate::optics::resin::Resin;
 use crate::report::{
     CeilingReport, LightReport, MapReport, MovieReport, ReportData, SpeciesReport, TimeReport,
     Timing, gap_sentence, write_html, write_json,
@@ -241,17 +242,30 @@ fn unit_systems(done: &Done<'_>, exposures: &[ShownLight]) -> Result<Vec<Convert
     else {
         return Ok(Vec::new());
     };
-    let of_light = |(shown, exposure): (_, &ShownLight)| {
-        (PatternStats::of([shown]).max, exposure.budget.time_s)
+    let resins = done.resolved.optics.lights.iter().map(|light| &light.resin);
+    let of_light = |((shown, exposure), resin): ((_, &ShownLight), &Resin)| {
+        // A schedule has dark times, too
+        let time_s = exposure
+            .budget
+            .time_s
+            .filter(|_| exposure.irradiance.is_none());
+        let active_per_mm = resin.absorption_per_mm;
+        (PatternStats::of([shown]).max, time_s, active_per_mm)
     };
-    let lights = done.patterns.shown.iter().zip(exposures).map(of_light);
+    let lights = done
+        .patterns
+        .shown
+        .iter()
+        .zip(exposures)
+        .zip(resins)
+        .map(of_light);
     let brightest = lights.max_by(|a, b| a.0.total_cmp(&b.0));
-    let (brightest, time_s) = brightest.unwrap_or_default();
+    let (brightest, time_s, active_per_mm) = brightest.unwrap_or_default();
     let convert = |system: UnitSystem| {
         // Energies do not depend on the time
         let exposure_s = if system.needs_time() { time_s? } else { 1.0 };
         let pattern = f64::from(brightest) * critical / gel_dose;
-        Some(system.convert(pattern, critical, resin.active_per_mm(), exposure_s))
+        Some(system.convert(pattern, critical, active_per_mm, exposure_s))
     };
     Ok(UnitSystem::ALL.into_iter().filter_map(convert).collect())
 }

@@ -42,6 +42,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         bytes_evaluated: usize::from(spec.output.evaluation) * 9,
         is_noisy: family.monte_carlo_paths().is_some(),
         scenarios: spec.scenario.len(),
+        species: resolved.species.len(),
         working_mb: [
             job_cost.working_bytes as f64 / 1e6,
             evaluated_mb(&resolved.optics, grid, extent.refine)?,

@@ -88,6 +88,8 @@ pub(crate) struct Extent {
     pub(crate) is_noisy: bool,
     /// Scenarios in addition to the job: as many models more.
     pub(crate) scenarios: usize,
+    /// Prints that are evaluated side by side.
+    pub(crate) species: usize,
     /// Memory of frames at work, MB: in the optimization, and in the evaluation.
     pub(crate) working_mb: [f64; 2],
 }
@@ -145,6 +147,7 @@ impl Extent {
             bytes_of_volumes: 0,
             is_noisy: false,
             scenarios: 0,
+            species: 1,
             working_mb: [0.0; 2],
         }
     }
@@ -228,8 +231,9 @@ impl Extent {
         // Each scenario's model is shown a copy, one after the other
         let shown = if self.scenarios > 0 { 2.0 } else { 0.0 };
         let patterns = self.active_pixels as f64 * 4.0 * (vectors + shown);
-        let per_voxel =
-            BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
+        let per_voxel = self.species as f64 * BYTES_PER_VOXEL
+            + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS
+            + self.glow();
         // One entry for each patch of voxels and each frame, at least: larger voxels save most of them
         let entries = self.models() * self.cached_bytes.unwrap_or_default();
         [
@@ -242,10 +246,11 @@ impl Extent {
     /// Memory of the evaluation, MB: of the voxels, of the pixels, of frames at work.
     pub(crate) fn evaluation(&self) -> [f64; 3] {
         let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
+        // Scenarios are measured one after the other, beside the job's prints
+        let prints = self.species + usize::from(self.scenarios > 0);
+        let per_voxel = prints as f64 * BYTES_PER_FINE_VOXEL + self.glow();
         [
-            (self.lanes(self.refine) * (BYTES_PER_FINE_VOXEL + self.glow())
-                + self.faces() * BYTES_PER_FACE)
-                / 1e6,
+            (self.lanes(self.refine) * per_voxel + self.faces() * BYTES_PER_FACE) / 1e6,
             (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
             self.working_mb[1],
         ]
@@ -347,6 +352,7 @@ pub(crate) mod tests {
             bytes_of_volumes: 0,
             is_noisy: false,
             scenarios: 0,
+            species: 1,
             working_mb: [0.0; 2],
         }
     }

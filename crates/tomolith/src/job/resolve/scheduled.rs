@@ -42,12 +42,12 @@ pub(crate) fn budget(
     let shown = energies.iter().zip(emitted.sums);
     let shown: f64 = shown.map(|(energy, sum)| energy * sum).sum();
     let energy_mj = shown * emitted.white * emitted.pixel_mm2;
-    let angles = spec.light[i].angles.count().max(1) as f64;
+    let frames = energies.len().max(1) as f64;
     let turns = spec.light[i].turns.unwrap_or(given.turns);
     let budget = Budget {
         light_used: emitted.sums.iter().sum::<f64>()
             / (emitted.frames * emitted.pixels).max(1) as f64,
-        white_mj_per_mm2: Some(emitted.white * all / angles),
+        white_mj_per_mm2: Some(emitted.white * all / frames),
         time_s: Some(match spec.light[i].turns {
             Some(_) => shone_until(&schedule, i),
             None => schedule.end_s(),
@@ -145,6 +145,7 @@ fn of_frames(patterns: &Patterns) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::grid::PatternGrid;
+    use tomolith_core::near;
     use tomolith_material::schedule::{Power, Turns};
 
     #[test]
@@ -170,6 +171,29 @@ mod tests {
         // 2 s · 3 mW/mm² · 2 (white) · 0.25 mm² · (1 + 2)
         assert!((budget.energy_mj.unwrap() - 9.0).abs() < 1e-9);
         assert!((budget.energy_per_turn_mj.unwrap() - 18.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn white_of_two_turns_with_patterns_of_their_own_is_shown_for_one_frame() {
+        let text = r#"
+            target = { phantom = "gear", size_mm = 2.0 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.1 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [2, 2], angles = 4, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            schedule = { turns = 2, own_patterns = true, seconds_per_turn = 8.0, power = { irradiance_mw_per_mm2 = 3.0 } }
+        "#;
+        let document = crate::job::Document::toml("a.toml", text).unwrap();
+        let spec = JobSpec::from_document(&document).unwrap();
+        let emitted = Emitted {
+            white: 2.0,
+            sums: &[1.0; 8],
+            frames: 8,
+            pixels: 4,
+            pixel_mm2: 0.25,
+        };
+        let (budget, _) = budget(&spec, 0, &emitted).unwrap().unwrap();
+        // 2 s · 3 mW/mm² · 2 (white)
+        near!(budget.white_mj_per_mm2.unwrap(), 12.0, 1e-9);
     }
 
     #[test]

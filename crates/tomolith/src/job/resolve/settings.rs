@@ -6,7 +6,9 @@ use super::remarks::few_angles;
 use super::resources::memory_budget_mb;
 use crate::error::Result;
 use crate::job::spec::file_names::of_lights;
-use crate::job::spec::{BoundsSpec, EvaluateSpec, OutputSpec, ResinSpec, ScheduleSpec, StopSpec};
+use crate::job::spec::{
+    BoundsSpec, DoseConvention, EvaluateSpec, OutputSpec, ResinSpec, ScheduleSpec, StopSpec,
+};
 use crate::optimize::checkpoint;
 use serde_json::Value;
 
@@ -44,6 +46,18 @@ impl ResolvedJob {
     /// When checkpoints are written.
     pub(crate) fn checkpoint(&self) -> &checkpoint::Params {
         &self.spec.checkpoint
+    }
+
+    /// Whether the dose of a species is the light that its voxels absorb, and no fluence or weighted sum.
+    pub(crate) fn is_absorbed(&self, species: usize) -> bool {
+        let factors = self.mixing.as_ref().map(|rows| &rows[species].1);
+        let are_sums = self
+            .optics
+            .lights
+            .iter()
+            .any(|light| light.resin.pure_radon);
+        let is_energy = self.spec.resin.dose_convention == DoseConvention::Energy;
+        is_energy && !are_sums && factors.is_none_or(|row| row.iter().all(|factor| *factor == 1.0))
     }
 
     /// How patterns are written and evaluated.

@@ -137,7 +137,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         memory_budget_mb,
         disk_mb: resolved.extent.disk_mb(),
         seconds: cost.optimization_s + cost.rest_s,
-        iterations: resolved.stop().iterations,
+        iterations: resolved.levels.last().map_or(0, |level| level.until),
         optimization_s: cost.optimization_s,
         updates_per_s: 1.0 / rates.calls.dose.per_update_s,
         notes: resolved.notes.clone(),
@@ -153,13 +153,18 @@ fn print_time(resolved: &ResolvedJob, of_ceiling: usize) -> Option<String> {
              then. bounds.max or printer.time_s set it beforehand"
         ));
     }
-    let (largest, [lower, upper]) = (resolved.bounds().max?, resolved.first().goal.thresholds()?);
+    let lights = 0..resolved.optics.lights.len();
+    let largest = lights
+        .map(|i| resolved.bounds_of(i).1)
+        .collect::<Option<Vec<_>>>()?;
+    let largest = largest.into_iter().fold(0.0, f64::max);
+    let [lower, upper] = resolved.first().goal.thresholds()?;
     let threshold = resolved.evaluation().threshold;
     let gel = threshold.unwrap_or_else(|| f64::midpoint(lower, upper));
     let is_dose = resolved.first().goal.response.is_identity() && gel > 0.0;
     is_dose.then(|| {
         format!(
-            "the print time M/t is at most about {} mm: bounds.max over a gel dose of {}",
+            "the print time M/t is at most about {} mm: the largest bounds.max over a gel dose of {}",
             significant(largest / gel, 3),
             significant(gel, 3)
         )
