@@ -255,6 +255,8 @@ fn gray(given: &GrayArguments) -> Result<()> {
         .iter()
         .for_each(|note| answer.warn(note.as_str()));
     answer.set("form", form);
+    let of_job = "printer.gray_curve_file takes the gray_curve.csv of --output";
+    answer.line("in a job", of_job.to_owned());
     answer.set("points", found.points());
     let fits: Vec<(&str, &Polynomial)> = fits.iter().map(|(name, fit)| (*name, fit)).collect();
     let files = [
@@ -523,9 +525,11 @@ fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
         "# Fitted by `tomolith calibrate absorbance`\n[resin]\nabsorption_per_mm = {}\n",
         concise(medium.absorption.per_mm)
     );
-    answer.line("absorption", per_mm(medium.absorption));
+    let key = |text: String, key: &str| format!("{text} (resin.{key})");
+    let found = per_mm(medium.absorption);
+    answer.line("absorption", key(found, "absorption_per_mm"));
     if let Some(scattering) = medium.scattering {
-        answer.line("scattering", per_mm(scattering));
+        answer.line("scattering", key(per_mm(scattering), "scattering_per_mm"));
         let line = format!("scattering_per_mm = {}\n", concise(scattering.per_mm));
         job_table.push_str(&line);
     }

@@ -34,7 +34,7 @@ pub const P95: MetricKind = MetricKind::error(
     "mm",
     "surface_p95_mm",
     "Surface deviation, 95 %",
-    "95 % of the print's surface is closer to the target's surface than this.",
+    "95 % of the print's and the target's surface is closer to the other one than this.",
     |print| print.distance().map(|d| d.p95_mm),
 );
 

@@ -172,7 +172,8 @@ fn document_of(tables: &Bound<'_, PyDict>, file: &Path) -> PyResult<(Document, O
 /// Changes of keys, each as `--set` takes it.
 fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     let Ok(changes) = given.cast::<PyDict>() else {
-        return given.extract();
+        let one = given.extract::<String>().map(|change| vec![change]);
+        return one.or_else(|_| given.extract());
     };
     let change = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         if let Ok(number) = value.extract::<f64>()

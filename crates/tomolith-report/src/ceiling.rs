@@ -292,9 +292,10 @@ mod tests {
     #[test]
     fn a_ceiling_that_the_finest_voxels_changed_has_a_row_of_its_own() {
         let mut evaluation = Sample::new().evaluation();
+        let dose = evaluation.gel_threshold.unwrap();
         let measures = evaluation.measures.0.iter_mut();
         let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(4.0));
+        time_mm.for_each(|(_, value)| *value = Some(5.0 / dose));
         let window = ExposureWindow::new(&evaluation, &Identity, Some(30.0)).unwrap();
         let rows = |by: f64| ceiling(by).trade_off(&evaluation, Some(&window));
         let chosen = |rows: &[TradeOff]| rows.iter().position(|row| row.is_chosen);
@@ -308,11 +309,11 @@ mod tests {
         let of_run = |name| evaluation.measures.get(name);
         assert!(raised[1].is_evaluated && raised[1].iou == of_run("iou"));
         assert_eq!(raised[1].ver, of_run("ver"));
-        let dose = window.dose.unwrap().best.unwrap();
-        // The run itself takes 30 s: its brightest pixel counts, not a ceiling that none reaches
-        near!(raised[1].time_mm.unwrap(), 4.0, 1e-9);
+        // The run itself takes 30 s: its brightest pixel of 5 counts, not a ceiling of 6 that none reaches
+        near!(raised[1].brightest, 5.0, 1e-9);
+        near!(raised[1].time_mm.unwrap(), 5.0 / dose, 1e-9);
         near!(raised[1].time_s.unwrap(), 30.0, 1e-9);
-        near!(raised[0].time_s.unwrap(), 30.0 * 8.0 / (4.0 * dose), 1e-9);
+        near!(raised[0].time_s.unwrap(), 30.0 * 8.0 / 5.0, 1e-9);
         // The bound of the start is not what was tried on wider pixels
         let without = CeilingReport {
             chosen: None,
@@ -322,12 +323,12 @@ mod tests {
         let rows = without.trade_off(&evaluation, Some(&window));
         let chosen = rows.iter().find(|row| row.is_chosen).unwrap();
         assert!(chosen.is_evaluated && rows.len() == 4);
-        assert!((chosen.time_mm.unwrap() - 4.0).abs() < 1e-9);
-        // Of a job that names a threshold 4/5 as high the print in the report lasts a quarter longer than the best one, and has a quarter less M/t there
+        near!(chosen.time_mm.unwrap(), 5.0 / dose, 1e-9);
+        // Of a job that names a threshold 4/5 as high the print in the report lasts a quarter longer than the best one
         evaluation.gel_threshold = evaluation.gel_threshold.map(|best| 0.8 * best);
         let measures = evaluation.measures.0.iter_mut();
         let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(5.0));
+        time_mm.for_each(|(_, value)| *value = Some(5.0 / (0.8 * dose)));
         let reported = ExposureWindow::new(&evaluation, &Identity, Some(37.5)).unwrap();
         let named = without.trade_off(&evaluation, Some(&reported));
         for (named, best) in named.iter().zip(&rows) {

@@ -257,7 +257,7 @@ fn runs_are_compared_and_exported() {
     bench.done("simulate job.toml --patterns plain --output again --quiet");
     let kinds = &bench.json("compare a again")["kinds"];
     assert_eq!(*kinds, serde_json::json!(["optimization", "simulation"]));
-    bench.refuse("export job.toml --output c", &["holds no job.toml"]);
+    bench.refuse("export job.toml --output c", &["is a file, and no folder"]);
     bench.refuse(
         "export a --printer job.toml --output c",
         &["holds no [printer]"],

@@ -516,7 +516,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
         $ expose b --light blue
         unknown light `blue`
         $ expose job.toml
-        holds no job.toml",
+        is a file, and no folder",
     );
     // The irradiance that is advised is enough
     let plan = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];

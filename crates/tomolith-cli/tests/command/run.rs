@@ -810,6 +810,14 @@ fn the_closing_lines_say_on_which_voxels() {
     );
     bench.says(
         0,
+        "simulate job.toml --patterns a --output a-coarse --set evaluate.refine=1",
+        &[
+            "evaluated on voxels of 0.05 mm, this print is on voxels of 0.1 mm",
+            "evaluate.refine = 2 gives",
+        ],
+    );
+    bench.says(
+        0,
         "run job.toml --output b --set evaluate.refine=1 --toy",
         &[
             "the job's own (evaluate.refine = 1)",

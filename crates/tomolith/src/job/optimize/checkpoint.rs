@@ -32,7 +32,7 @@ pub(crate) fn resumes(
             Ok(None) => {}
             Err(_) => {
                 remove(&file)?;
-                let text = "the folder held a checkpoint of another job, or a broken one; this run begins anew, and it is removed";
+                let text = "the checkpoint in the folder is of a job with other settings, as that of a toy is, or broken: this run begins anew and removes it";
                 let text = text.to_owned();
                 progress.event(&Event::Note { text });
             }

@@ -85,9 +85,13 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
     overrides.iter().try_for_each(|set| must_be_read(set))?;
     let file = run.join("job.toml");
     if !file.is_file() {
+        let what = match run.is_file() {
+            true => "is a file, and no folder",
+            false => "holds no job.toml",
+        };
         return Err(Error::config(
             "RUN",
-            format!("`{}` holds no job.toml", run.display()),
+            format!("`{}` {what}", run.display()),
             "the folder of a run of Tomolith",
         ));
     }

@@ -163,6 +163,19 @@ pub(crate) fn far_threshold(spec: &JobSpec, goal: &Goal) -> Option<String> {
     })
 }
 
+/// Says that an objective of degrees of cure asks for none at which the resin is solid.
+pub(crate) fn below_gel(spec: &JobSpec, goal: &Goal) -> Option<String> {
+    let is_cure = spec.schedule.as_ref()?.optimizes_cure();
+    let [_, upper] = goal.thresholds()?;
+    (is_cure && upper < 1.0).then(|| {
+        let upper = exact(upper);
+        format!(
+            "the objective asks the part for {upper} or more, and with this schedule.optimize that is a degree of cure, of which 1 is solid: \
+             the part may end below it and never gel; use thresholds round 1, such as 0.8 and 1.2"
+        )
+    })
+}
+
 /// By how many times a threshold may lie beyond the objective's without a word.
 const FAR: f64 = 2.0;
 

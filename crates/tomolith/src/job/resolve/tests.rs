@@ -70,3 +70,26 @@ fn a_threshold_in_percent_is_told() {
         assert_eq!(remark_of(near), None, "{near}");
     }
 }
+
+#[test]
+fn a_degree_of_cure_below_gelation_is_told() {
+    use super::optics::tests::spec;
+    use super::remarks::below_gel;
+    let remark_of = |against: &str, upper: f64| {
+        let objective = format!(
+            "objective={{ threshold = {{ lower = 0.7, upper = {upper}, ceiling = 1.5 }} }}"
+        );
+        let schedule = format!(
+            "schedule={{ turns = 2, seconds_per_turn = 8.0, power = {{ irradiance_mw_per_mm2 = 1.0 }}, optimize = \"{against}\" }}"
+        );
+        let spec = spec(&[&objective, &schedule]);
+        below_gel(&spec, &Goal::read(&spec, Path::new("")).unwrap())
+    };
+    assert!(
+        remark_of("frozen", 0.9)
+            .unwrap()
+            .contains("the part for 0.9")
+    );
+    assert_eq!(remark_of("frozen", 1.2), None);
+    assert_eq!(remark_of("dose", 0.9), None);
+}

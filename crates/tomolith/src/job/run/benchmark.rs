@@ -97,11 +97,18 @@ pub(crate) struct CallRate {
     pub(crate) per_update_s: f64,
 }
 
+/// Part of the mean cost of an update that the slope is at least.
+const LEAST_SLOPE: f64 = 0.25;
+
 impl CallRate {
-    /// From two calls (updates, seconds): the line through both. Where the second is not larger or did not take longer, all
-    /// is put on its size.
+    /// From two calls (updates, seconds): the line through both, whose slope is a quarter of the second's mean at least, since a disturbed clock makes the few
+    /// frames look slow. Where the second is not larger or did not take longer, all is put on its size.
     fn through([few, more]: [(f64, f64); 2]) -> Self {
-        let per_update_s = (more.1 - few.1) / (more.0 - few.0);
+        let slope = (more.1 - few.1) / (more.0 - few.0);
+        let per_update_s = match slope > 0.0 {
+            true => slope.max(LEAST_SLOPE * more.1 / more.0),
+            false => slope,
+        };
         let begin_s = few.1 - per_update_s * few.0;
         if more.0 > few.0 && per_update_s > 0.0 && begin_s >= 0.0 {
             return CallRate {

@@ -14,6 +14,8 @@ use crate::job::progress::{Progress, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Work;
+use crate::units::concise;
+use serde_json::Value;
 use std::path::Path;
 
 /// Simulates patterns of an earlier run under a job; everything but the optimization.
@@ -47,7 +49,11 @@ fn simulate_stages(
     let mut resolved = resolved(job, work)?;
     let (patterns, notes) = written::read(&resolved, source, work)?;
     resolved.notes.extend(notes);
-    respond_as_found(&mut resolved, source)?;
+    let report = report_beside(source);
+    respond_as_found(&mut resolved, report.as_ref())?;
+    let pitch_mm = report.and_then(|report| report.pointer("/evaluation/grid/pitch_mm")?.as_f64());
+    let other = pitch_mm.and_then(|pitch_mm| other_voxels(&resolved, pitch_mm));
+    resolved.warnings.extend(other);
     work.check()?;
     let folder = open(job, &resolved, clock.progress)?;
     let (voxels, warnings) = sample(&mut resolved, &mut RunCache::default(), &mut clock)?;
@@ -75,19 +81,41 @@ fn simulate_stages(
     finish(&done, folder, clock)
 }
 
+/// The report of the run that the patterns are from, where it stands beside them.
+fn report_beside(source: &Path) -> Option<Value> {
+    let folder = if source.is_dir() {
+        source
+    } else {
+        source.parent()?
+    };
+    let text = read_text(folder.join("report.json")).ok()?;
+    serde_json::from_str(&text).ok()
+}
+
+/// Warns where the run of the patterns was evaluated on voxels of another pitch.
+fn other_voxels(resolved: &ResolvedJob, pitch_mm: f64) -> Option<String> {
+    let [grid, fine] = [resolved.grid.pitch_mm, resolved.fine_grid().pitch_mm];
+    let refine = grid / pitch_mm;
+    let is_whole = (refine - refine.round()).abs() < 1e-6 && refine > 0.5;
+    ((pitch_mm / fine - 1.0).abs() > 1e-6).then(|| {
+        let same = match is_whole {
+            true => format!("evaluate.refine = {} gives those of the run", refine.round()),
+            false => "the same [grid] and evaluate.refine give those of the run".to_owned(),
+        };
+        format!(
+            "the run of these patterns was evaluated on voxels of {} mm, this print is on voxels of {} mm: finer voxels see more errors, so the two do not compare; {same}",
+            concise(pitch_mm),
+            concise(fine)
+        )
+    })
+}
+
 /// Takes the response that the run found whose patterns these are, where its parameters were unknowns.
-fn respond_as_found(resolved: &mut ResolvedJob, source: &Path) -> Result<()> {
+fn respond_as_found(resolved: &mut ResolvedJob, report: Option<&Value>) -> Result<()> {
     let Some(free) = resolved.method.free.clone() else {
         return Ok(());
     };
-    let folder = if source.is_dir() {
-        Some(source)
-    } else {
-        source.parent()
-    };
-    let report = folder.and_then(|folder| read_text(folder.join("report.json")).ok());
-    let report = report.and_then(|text| serde_json::from_str(&text).ok());
-    let found = report.map(|report| free.found_by(&report)).transpose()?;
+    let found = report.map(|report| free.found_by(report)).transpose()?;
     let found = found.flatten();
     resolved.notes.push(match &found {
         Some(found) => format!("the response is the one found with the patterns: {}", found.sentence()),

@@ -38,11 +38,11 @@ pub(crate) fn of_ceiling(
             false => "",
         };
         format!(
-            "Only {percent} % of the light is above half of the brightest pixel: below such a ceiling the part prints about as well in half the time. Set `{key}` to {half}{or}."
+            "Only {percent} % of the light is what pixels shine beyond half of the brightest one: below such a ceiling the part prints about as well in half the time. Set `{key}` to {half}{or}."
         )
     } else if above > MUCH && is_bounded {
         format!(
-            "{percent} % of the light is above half of the largest pixel: in a longer print the part may be better. Raise `{key}`."
+            "{percent} % of the light is what pixels shine beyond half of the largest one: in a longer print the part may be better. Raise `{key}`."
         )
     } else {
         return None;
