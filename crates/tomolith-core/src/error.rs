@@ -38,7 +38,10 @@ pub enum Error {
         place: Option<Place>,
     },
     /// An array has the wrong shape.
-    #[error("{what}: expected shape {expected:?}, found {found:?}")]
+    #[error(
+        "{what}: expected shape {expected:?}, found {found:?}{}",
+        in_another_order(expected, found)
+    )]
     Shape {
         /// Which array.
         what: String,
@@ -266,6 +269,19 @@ pub fn key_or_file<'a>(key: &'a str, place: Option<&Place>) -> &'a str {
 
 /// The library's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// Says that the axes of an array are those that are expected, in another order.
+fn in_another_order(expected: &[usize], found: &[usize]) -> &'static str {
+    let sorted = |shape: &[usize]| {
+        let mut shape = shape.to_vec();
+        shape.sort_unstable();
+        shape
+    };
+    match expected != found && sorted(expected) == sorted(found) {
+        true => ": its axes are in another order",
+        false => "",
+    }
+}
 
 /// Ends of names that are units.
 const UNITS: [&str; 7] = ["_per_mm", "_mm", "_um", "_nm", "_deg", "_hz", "_s"];

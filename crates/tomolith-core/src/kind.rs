@@ -306,7 +306,7 @@ macro_rules! keys {
 pub const MISSING: &str = "the key is missing";
 
 /// What other programs and papers call a key, and the names that it may have here, the likeliest first.
-const SYNONYMS: [(&str, &[&str]); 13] = [
+const SYNONYMS: [(&str, &[&str]); 15] = [
     ("ior", &["refractive_index"]),
     ("n", &["refractive_index"]),
     ("index", &["refractive_index"]),
@@ -315,6 +315,8 @@ const SYNONYMS: [(&str, &[&str]); 13] = [
     ("mu_t", &["attenuation_per_mm"]),
     ("mu_s", &["scattering_per_mm"]),
     ("extinction", &["attenuation_per_mm"]),
+    ("penetration_depth_mm", &["absorption_per_mm"]),
+    ("depth_mm", &["absorption_per_mm"]),
     ("diameter", &["inner_radius_mm", "radius_mm"]),
     ("diameter_mm", &["inner_radius_mm", "radius_mm"]),
     ("radius", &["inner_radius_mm", "radius_mm"]),
@@ -340,6 +342,11 @@ macro_rules! per_volume {
 
 /// Why the number of a key is not that of another key which differs in its unit; None for keys that differ otherwise.
 fn other_unit(word: &str, name: &str) -> Option<&'static str> {
+    if word.ends_with("depth_mm") && name == "absorption_per_mm" {
+        return Some(
+            "its inverse is meant; light that falls to 1/e over D mm is absorbed with 1/D per mm",
+        );
+    }
     let (what, unit) = word.split_once("_per_")?;
     let (same, meant) = name.split_once("_per_")?;
     if what != same || unit == meant {

@@ -38,7 +38,7 @@ export function errors(context: Context): HTMLElement | null {
   });
   if (!drawn) return null;
   const peak = isNumber(own.band_edge_peak)
-    ? ` At the edges of the band lie ${significant(own.band_edge_peak, 3)} times as many voxels as a little inside or outside.`
+    ? ` Bins at its edges hold ${significant(own.band_edge_peak, 3)} times as many voxels as those next to them.`
     : "";
   const curve = tones(context);
   return h(

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::units::concise;
 use tomolith_io::npy::read_volume;
 use tomolith_io::read_text;
 
@@ -31,6 +32,28 @@ pub struct ComparedRun {
     pub history: BTreeMap<String, Vec<f64>>,
 }
 
+/// A run of a sweep by the values of its axes, as the sweep's table has them.
+pub(super) fn in_sweep(folder: &Path) -> Option<String> {
+    let table = folder.parent()?.parent()?.join("table.json");
+    let table: Value = serde_json::from_str(&read_text(table).ok()?).ok()?;
+    let is_this = |row: &&Value| row["id"].as_str().is_some_and(|id| folder.ends_with(id));
+    let row = table["rows"].as_array()?.iter().find(is_this)?;
+    let axes = table["axes"]
+        .as_array()?
+        .iter()
+        .zip(row["values"].as_array()?);
+    let texts = axes.filter_map(|(axis, value)| {
+        let text = match value.as_f64() {
+            Some(number) => concise(number),
+            None => value
+                .as_str()
+                .map_or_else(|| value.to_string(), str::to_owned),
+        };
+        Some(format!("{} {text}", axis.as_str()?))
+    });
+    Some(texts.collect::<Vec<_>>().join(", ")).filter(|name| !name.is_empty())
+}
+
 impl ComparedRun {
     /// Reads a run folder.
     ///
@@ -47,10 +70,13 @@ impl ComparedRun {
         flatten("", &job, &mut flat);
         flat.remove("output.folder");
         let history = read_text(folder.join("history.csv")).unwrap_or_default();
-        let name = folder.file_name().map_or_else(
-            || folder.display().to_string(),
-            |name| name.to_string_lossy().into_owned(),
-        );
+        let name = || {
+            folder
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned())
+        };
+        let name = in_sweep(folder).or_else(name);
+        let name = name.unwrap_or_else(|| folder.display().to_string());
         let dose = Some(folder.join("dose.npy")).filter(|path| path.is_file());
         Ok(ComparedRun {
             name,

@@ -1,4 +1,4 @@
-use super::run::{columns, flatten};
+use super::run::{columns, flatten, in_sweep};
 use super::*;
 use std::collections::BTreeMap;
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -32,6 +32,20 @@ fn run(name: &str, iou: f64, memory: &str) -> ComparedRun {
             "iteration,loss,forward_calls,adjoint_calls,seconds,iou\n0,4,1,0,0.1,\n1,2,2,1,0.2,0.8\n2,0.5,4,2,0.4,\n",
         ),
     }
+}
+
+#[test]
+fn runs_of_a_sweep_are_named_by_their_axes() {
+    let sweep = tempfile::tempdir().unwrap();
+    let rows = json!([
+        { "id": "9edf", "values": [0.5, "adam", 0.99] },
+        { "id": "c13d", "values": [0.6, "lbfgs", null] },
+    ]);
+    let table = json!({ "axes": ["lower", "method"], "rows": rows });
+    std::fs::write(sweep.path().join("table.json"), table.to_string()).unwrap();
+    let run = |id: &str| in_sweep(&sweep.path().join("runs").join(id));
+    assert_eq!(run("c13d").unwrap(), "lower 0.6, method lbfgs");
+    assert_eq!(run("abcd"), None);
 }
 
 #[test]

@@ -121,7 +121,7 @@ fn first_of(data: &ReportData<'_>) -> String {
     };
     let all: Vec<String> = data.species.iter().zip(&one.iou).map(iou_of).collect();
     format!(
-        " That is {} alone. At one exposure the species reach {}.",
+        " These numbers are of {} at its own best exposure. At one exposure for all the species reach {}.",
         first.name,
         all.join(", ")
     )

@@ -46,6 +46,10 @@ light[0].angles.cuont … did you mean `count`?
 + polarization = "q"
 light[0].polarization … unpolarized, s, p
 
+- absorption_per_mm = 0.05
++ penetration_depth_mm = 20.0
+resin.penetration_depth_mm … 1/D per mm … did you mean `absorption_per_mm`?
+
 # Types and units
 - iterations = 2
 + iterations = -1

@@ -541,9 +541,10 @@ impl Measurements {
 
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
+        let at = self.best.map_or("", |_| " at the best threshold");
         let seen = match (self.optimized, self.is_simulated) {
             _ if self.saw_finer && self.unrounded.is_some() => {
-                format!(" (before rounding {:.3})", self.unrounded?)
+                format!(" (before rounding{at} {:.3})", self.unrounded?)
             }
             (Some(seen), _) if self.saw_finer => {
                 let [coarse, fine] = self.pitches_mm;
@@ -551,10 +552,10 @@ impl Measurements {
                     true => "on the job's own, coarser voxels",
                     false => "before the patterns are written",
                 };
-                format!(" ({place} {seen:.3})")
+                format!(" ({place}{at} {seen:.3})")
             }
-            (Some(seen), false) => format!(" (the optimizer saw {seen:.3})"),
-            (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
+            (Some(seen), false) => format!(" (the optimizer saw {seen:.3}{at})"),
+            (Some(seen), true) => format!(" (unwritten, on the job's grid{at}: {seen:.3})"),
             (None, _) => String::new(),
         };
         let step = |limit: &Limit| {

@@ -105,8 +105,8 @@ use optics::Optics;
 use property::PropertyMap;
 use refinement::{Asked, Level};
 use remarks::{
-    below_gel, chosen, far_threshold, few_angles, given_patterns, narrow_arc, on_its_own_grid,
-    part_of_a_turn, two_critical_doses,
+    below_gel, chosen, far_threshold, few_angles, given_patterns, large_critical_dose, narrow_arc,
+    on_its_own_grid, part_of_a_turn, two_critical_doses,
 };
 use resources::{available_disk_mb, bytes_in, require};
 use scenarios::Scenario;
@@ -285,6 +285,7 @@ impl ResolvedJob {
                 on_its_own_grid(spec).into_iter().collect(),
                 far_threshold(spec, &species[0].goal).into_iter().collect(),
                 below_gel(spec, &species[0].goal).into_iter().collect(),
+                large_critical_dose(spec).into_iter().collect(),
                 two_critical_doses(spec).into_iter().collect(),
                 scenarios::worst_of_one(spec).into_iter().collect(),
                 (refinement::unheard(spec, &levels, &grid).into_iter()).collect(),

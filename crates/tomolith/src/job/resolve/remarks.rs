@@ -176,6 +176,21 @@ pub(crate) fn below_gel(spec: &JobSpec, goal: &Goal) -> Option<String> {
     })
 }
 
+/// Says that a resin needs far more than others, as where a dose per area was taken for one per volume.
+pub(crate) fn large_critical_dose(spec: &JobSpec) -> Option<String> {
+    let dose = spec.resin.critical_dose_mj_per_mm3?;
+    (dose > LARGE_DOSE).then(|| {
+        format!(
+            "resin.critical_dose_mj_per_mm3 = {0} is {0} J/cm³, more than ten times that of any resin of the profiles and examples (0.16 to 0.8): times and energies follow from it. \
+             Where it is a dose in mJ/cm², divide it by 100 times the penetration depth in mm",
+            exact(dose)
+        )
+    })
+}
+
+/// Ten times the critical dose of the examples' resins and more, mJ/mm³.
+const LARGE_DOSE: f64 = 10.0;
+
 /// By how many times a threshold may lie beyond the objective's without a word.
 const FAR: f64 = 2.0;
 

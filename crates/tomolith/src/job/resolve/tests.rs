@@ -93,3 +93,14 @@ fn a_degree_of_cure_below_gelation_is_told() {
     assert_eq!(remark_of("frozen", 1.2), None);
     assert_eq!(remark_of("dose", 0.9), None);
 }
+
+#[test]
+fn a_dose_per_area_taken_for_one_per_volume_is_told() {
+    use super::optics::tests::spec;
+    use super::remarks::large_critical_dose;
+    let remark_of = |dose: &str| {
+        large_critical_dose(&spec(&[&format!("resin.critical_dose_mj_per_mm3={dose}")]))
+    };
+    assert!(remark_of("38").unwrap().contains("is 38 J/cm³"));
+    assert_eq!(remark_of("0.8"), None);
+}
