@@ -4,6 +4,7 @@ use crate::resolved::ResolvedJob;
 use crate::work::{
     TomolithError, advising, interruptible, interruptible_observed, plain, raised, refused,
 };
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde_json::Value;
@@ -172,8 +173,9 @@ fn document_of(tables: &Bound<'_, PyDict>, file: &Path) -> PyResult<(Document, O
 /// Changes of keys, each as `--set` takes it.
 fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     let Ok(changes) = given.cast::<PyDict>() else {
-        let one = given.extract::<String>().map(|change| vec![change]);
-        return one.or_else(|_| given.extract());
+        let accepted =
+            "set: a dict of keys and values, or a list of texts such as [\"stop.iterations=3\"]";
+        return given.extract().map_err(|_| PyTypeError::new_err(accepted));
     };
     let change = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         if let Ok(number) = value.extract::<f64>()

@@ -128,7 +128,7 @@ class Jobs(unittest.TestCase):
             with self.subTest(refused), self.assertRaises(tomolith.TomolithError) as raised:
                 tomolith.Job(GEAR, set=refused)
             self.assertIn(words, str(raised.exception))
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(TypeError, "a list of texts"):
             tomolith.Job(GEAR, set="stop.iterations=3")
 
     def test_a_pickled_job_is_the_same_from_any_folder(self):
