@@ -88,7 +88,7 @@ fn two_species_are_judged_at_one_exposure() {
         assert!(at(0).min(at(1)) <= lowest + 0.02, "{s}");
     }
     let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
-    assert!(html.contains("At one exposure the species reach"));
+    assert!(html.contains("At one exposure for all the species reach"));
     // The exposure is that of all species, on the page and at the end of the run
     let limits = report["one_exposure"]["limited_by"].as_str().unwrap();
     assert_eq!(
