@@ -180,25 +180,24 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
     let is_json = words.iter().any(|word| word == "--json");
     let typed = command_line().try_get_matches_from(words);
     let typed = typed.and_then(|typed| Arguments::from_arg_matches(&typed));
-    typed
-        .map_err(without_escape)
-        .map_err(|error| match error.print() {
-            _ if error.use_stderr() && is_json => {
-                let text = error.to_string();
-                let text = text.strip_prefix("error: ").unwrap_or(&text);
-                // Which arguments are meant may stand on lines of their own
-                let lines = text.lines().take_while(|line| !line.is_empty());
-                let message = lines.map(str::trim).collect::<Vec<_>>().join(" ");
-                let line = serde_json::json!({ "event": "error", "message": message });
-                screen::say(&line.to_string());
-                REFUSED
-            }
-            printed if !error.use_stderr() => {
-                screen::take(printed);
-                DONE
-            }
-            _ => REFUSED,
-        })
+    let typed = typed.map_err(without_escape);
+    typed.map_err(|error| match error.print() {
+        _ if error.use_stderr() && is_json => {
+            let text = error.to_string();
+            let text = text.strip_prefix("error: ").unwrap_or(&text);
+            // Which arguments are meant may stand on lines of their own
+            let lines = text.lines().take_while(|line| !line.is_empty());
+            let message = lines.map(str::trim).collect::<Vec<_>>().join(" ");
+            let line = serde_json::json!({ "event": "error", "message": message });
+            screen::say(&line.to_string());
+            REFUSED
+        }
+        printed if !error.use_stderr() => {
+            screen::take(printed);
+            DONE
+        }
+        _ => REFUSED,
+    })
 }
 
 /// The error without the tip to pass an unknown option as a value: no job or run is named so.

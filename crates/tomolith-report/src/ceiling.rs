@@ -104,8 +104,8 @@ impl CeilingReport {
         let reported = exposure
             .and_then(|window| window.reported_percent)
             .map(|percent| percent / 100.0);
-        let of_patterns = || Some(of_run("time_mm")? * dose? / reported?);
-        let of_patterns = of_patterns();
+        let known = of_run("time_mm").zip(dose).zip(reported);
+        let of_patterns = known.map(|((mm, dose), reported)| mm * dose / reported);
         let at = |brightest: f64| TradeOff {
             brightest,
             time_mm: dose.map(|dose| brightest / dose),

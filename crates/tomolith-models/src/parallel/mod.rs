@@ -234,7 +234,7 @@ pub struct Parallel {
 
 /// Views whose entries are found together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
-/// Groups of all tiles from which on updates are counted of one view a group: counting all takes as long as four iterations.
+/// Groups of all tiles from which on updates are counted of one view a group: counting all was 1.7 s in a profile of the boat of 400³ voxels.
 const MANY_GROUPS: usize = 1000;
 /// Rows of lanes that one thread does in a row.
 const TOGETHER: usize = 256;

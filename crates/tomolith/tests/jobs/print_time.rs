@@ -38,7 +38,7 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     let dark = dark.to_string();
     tomolith_core::contains!(
         dark,
-        "though nearly all pixels that shine are as bright as they may be: so even",
+        "though nearly all pixels that shine are as bright as they may be. Light that even",
         &enough,
         "as bright as printer.time_s = 2 lets",
         "raise `printer.time_s`"

@@ -68,8 +68,8 @@ impl<'a> Shown<'a> {
             let asked = exact(asked);
             if is_held {
                 return format!(
-                    "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels that shine are as bright as they may be: so even, \
-                     they give the part no shape. Set printer.time_s = {longer}, or use a projector that is {times} times as bright (printer.peak_irradiance_mw_per_cm2)"
+                    "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels that shine are as bright as they may be. \
+                     Light that even gives the part no shape. Set printer.time_s = {longer}, or use a projector that is {times} times as bright (printer.peak_irradiance_mw_per_cm2)"
                 );
             }
             format!(

@@ -157,8 +157,8 @@ pub(crate) fn far_threshold(spec: &JobSpec, goal: &Goal) -> Option<String> {
     is_far.then(|| {
         let [at, low, high] = [at, low, high].map(exact);
         format!(
-            "evaluate.threshold = {at} is far from the objective's thresholds {low} and {high}, between which patterns are made to turn resin solid: \
-             the print is predicted at another exposure; use a dose between them, or leave the key out for the one with the best IoU"
+            "evaluate.threshold = {at} is far from the objective's thresholds {low} and {high}. Patterns are made for a resin that turns solid between these, \
+             and the print is predicted at another exposure. Use a dose between them, or leave the key out for the one with the best IoU"
         )
     })
 }
@@ -170,8 +170,8 @@ pub(crate) fn below_gel(spec: &JobSpec, goal: &Goal) -> Option<String> {
     (is_cure && upper < 1.0).then(|| {
         let upper = exact(upper);
         format!(
-            "the objective asks the part for {upper} or more, and with this schedule.optimize that is a degree of cure, of which 1 is solid: \
-             the part may end below it and never gel; use thresholds round 1, such as 0.8 and 1.2"
+            "the objective asks the part for {upper} or more. With this schedule.optimize that is a degree of cure, and resin is solid at 1: \
+             the part may never gel. Use thresholds around 1, such as 0.8 and 1.2"
         )
     })
 }
@@ -181,8 +181,8 @@ pub(crate) fn large_critical_dose(spec: &JobSpec) -> Option<String> {
     let dose = spec.resin.critical_dose_mj_per_mm3?;
     (dose > LARGE_DOSE).then(|| {
         format!(
-            "resin.critical_dose_mj_per_mm3 = {0} is {0} J/cm³, more than ten times that of any resin of the profiles and examples (0.16 to 0.8): times and energies follow from it. \
-             Where it is a dose in mJ/cm², divide it by 100 times the penetration depth in mm",
+            "resin.critical_dose_mj_per_mm3 = {0} is {0} J/cm³. Resins of the profiles and examples gel at 0.16 to 0.8, and times and energies follow from this dose. \
+             If it is one in mJ/cm², divide it by 100 times the penetration depth in mm",
             exact(dose)
         )
     })

@@ -148,50 +148,41 @@ mod tests {
     use tomolith_core::near;
     use tomolith_material::schedule::{Power, Turns};
 
-    #[test]
-    fn a_broken_turn_sends_what_its_frames_send() {
-        // Half a turn shows the first two of four frames; the others are brighter, and never seen
-        let text = r#"
-            target = { phantom = "gear", size_mm = 2.0 }
-            resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.1 }
-            vial = { index_matched = { radius_mm = 3.0 } }
-            light = [{ pixels = [2, 2], angles = 4, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
-            schedule = { turns = 0.5, seconds_per_turn = 8.0, power = { irradiance_mw_per_mm2 = 3.0 } }
-        "#;
-        let document = crate::job::Document::toml("a.toml", text).unwrap();
+    /// Of a white of 2, four pixels of 0.25 mm² and frames with these sums, shown at 3 mW/mm² by turns of four angles and 8 s.
+    fn budget_of(turns: &str, sums: &[f64]) -> Budget {
+        let text = format!(
+            r#"
+            target = {{ phantom = "gear", size_mm = 2.0 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.1 }}
+            vial = {{ index_matched = {{ radius_mm = 3.0 }} }}
+            light = [{{ pixels = [2, 2], angles = 4, projector = {{ collimated = {{ pixel_pitch_mm = 0.5 }} }} }}]
+            schedule = {{ {turns}, seconds_per_turn = 8.0, power = {{ irradiance_mw_per_mm2 = 3.0 }} }}
+        "#
+        );
+        let document = crate::job::Document::toml("a.toml", &text).unwrap();
         let spec = JobSpec::from_document(&document).unwrap();
         let emitted = Emitted {
             white: 2.0,
-            sums: &[1.0, 2.0, 4.0, 4.0],
-            frames: 4,
+            sums,
+            frames: sums.len(),
             pixels: 4,
             pixel_mm2: 0.25,
         };
-        let (budget, _) = budget(&spec, 0, &emitted).unwrap().unwrap();
+        budget(&spec, 0, &emitted).unwrap().unwrap().0
+    }
+
+    #[test]
+    fn a_broken_turn_sends_what_its_frames_send() {
+        // Half a turn shows the first two of four frames; the others are brighter, and never seen
+        let budget = budget_of("turns = 0.5", &[1.0, 2.0, 4.0, 4.0]);
         // 2 s · 3 mW/mm² · 2 (white) · 0.25 mm² · (1 + 2)
-        assert!((budget.energy_mj.unwrap() - 9.0).abs() < 1e-9);
-        assert!((budget.energy_per_turn_mj.unwrap() - 18.0).abs() < 1e-9);
+        near!(budget.energy_mj.unwrap(), 9.0, 1e-9);
+        near!(budget.energy_per_turn_mj.unwrap(), 18.0, 1e-9);
     }
 
     #[test]
     fn white_of_two_turns_with_patterns_of_their_own_is_shown_for_one_frame() {
-        let text = r#"
-            target = { phantom = "gear", size_mm = 2.0 }
-            resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.1 }
-            vial = { index_matched = { radius_mm = 3.0 } }
-            light = [{ pixels = [2, 2], angles = 4, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
-            schedule = { turns = 2, own_patterns = true, seconds_per_turn = 8.0, power = { irradiance_mw_per_mm2 = 3.0 } }
-        "#;
-        let document = crate::job::Document::toml("a.toml", text).unwrap();
-        let spec = JobSpec::from_document(&document).unwrap();
-        let emitted = Emitted {
-            white: 2.0,
-            sums: &[1.0; 8],
-            frames: 8,
-            pixels: 4,
-            pixel_mm2: 0.25,
-        };
-        let (budget, _) = budget(&spec, 0, &emitted).unwrap().unwrap();
+        let budget = budget_of("turns = 2, own_patterns = true", &[1.0; 8]);
         // 2 s · 3 mW/mm² · 2 (white)
         near!(budget.white_mj_per_mm2.unwrap(), 12.0, 1e-9);
     }
