@@ -400,16 +400,14 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         ("order of the cure", resin.order, ""),
     ];
     for (i, (name, value, unit)) in values.into_iter().enumerate() {
-        let error = fit.errors.and_then(|errors| errors[i]);
+        let error = fit.errors.map(|errors| errors[i]);
         let text = format!("{} {unit}", with_error(value, error));
         answer.line(name, text.trim_end().to_owned());
     }
     answer.number("inhibitor used by", resin.inhibitor_dose(), 4, "mJ/cm²");
     answer.line("off by up to", percent(fit.worst()));
-    // That of the order is not known at an end of its range, and 0 is one of its values
-    let errors = fit
-        .errors
-        .map(|[a, b, c, _]| [a, b, c].map(Option::unwrap_or_default));
+    // The order may be 0
+    let errors = fit.errors.as_ref().map(|errors| &errors[..3]);
     warn_of_loose(
         &mut answer,
         &[
@@ -418,12 +416,12 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
             "the cure",
         ],
         &values.map(|(_, value, _)| value)[..3],
-        errors.as_ref().map(|errors| &errors[..]),
+        errors,
         "lower irradiances, at which the inhibitor takes most of the time",
     );
-    if fit.errors.is_some_and(|errors| errors[3].is_none()) {
+    if fit.is_order_at_end {
         answer.warn(format!(
-            "the order of the cure is at an end of its range, 0 to 1 ({}): the points ask for one beyond it, and its error is not known",
+            "the best order of the cure is beyond its range, 0 to 1, and was set to {}",
             concise(resin.order)
         ));
     }

@@ -34,6 +34,13 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
         });
         return Ok(());
     }
+    // `vial.cylinder`, as a job writes it
+    let (wanted, name) = match wanted.rsplit_once('.') {
+        Some((family, kind)) if name.is_none() && all.iter().any(|f| f.name == family) => {
+            (family, Some(kind))
+        }
+        _ => (wanted, name),
+    };
     let names = all
         .iter()
         .map(|f| f.name)

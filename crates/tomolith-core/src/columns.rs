@@ -13,10 +13,10 @@ use crate::files::read_text;
 use crate::units::counted;
 use std::path::{Path, PathBuf};
 
-/// All pairs of a file with two columns, which messages call `what`; a first line of words is a header.
+/// All pairs of a file with two columns, which messages call `what` ("dose and response"); a first line of words is a header.
 ///
 /// # Errors
-/// [`Error::Io`], [`Error::Format`] naming the line.
+/// [`Error::Io`], [`Error::Format`] naming the line, or a header that has these columns the other way round.
 pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     let text = text_of(path)?;
     let refused = |found| {
@@ -30,6 +30,12 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     if table.rows.is_empty() {
         return Err(refused("no line of numbers".to_owned()));
     }
+    if let [first, second, ..] = &table.names[..]
+        && is_swapped([first, second], what)
+    {
+        let found = format!("columns `{first}` and `{second}`, which have the other order");
+        return Err(refused(found));
+    }
     let pair = |(line, row): &(usize, Vec<Option<f64>>)| match row[..] {
         [Some(a), Some(b), ref rest @ ..] if rest.iter().all(Option::is_none) => Ok([a, b]),
         _ => {
@@ -41,6 +47,17 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
         }
     };
     table.rows.iter().map(pair).collect()
+}
+
+/// Whether one of two columns has the name of the other quantity, and not that of its own.
+fn is_swapped(names: [&str; 2], what: &str) -> bool {
+    let quantities = what.split(" and ");
+    let words: Vec<&str> = quantities.filter_map(|q| q.split(' ').next()).collect();
+    let has = |name: usize, word: usize| {
+        let word = words.get(word);
+        word.is_some_and(|word| names[name].to_lowercase().contains(word))
+    };
+    (has(0, 1) && !has(0, 0)) || (has(1, 0) && !has(1, 1))
 }
 
 fn text_of(path: &Path) -> Result<String> {
@@ -221,6 +238,11 @@ mod tests {
             ("a,b\nc,d", "line 2: `c,d`"),
             ("0,0\n1,nan", "line 2: `1,nan`"),
             ("a,b", "no line of numbers"),
+            (
+                "Response, dose (mJ)\n1,2",
+                "columns `Response` and `dose (mJ)`, which have the other order",
+            ),
+            ("x,dose\n1,2", "the other order"),
             ("", "an empty file"),
         ] {
             std::fs::write(&file, text).unwrap();

@@ -87,11 +87,22 @@ pub fn minimize(
             }
         }
     }
-    let normal = normal(&theta, points, &residual).0;
+    at(&theta, points, residual)
+}
+
+/// These parameters as they are, though others may be better.
+#[must_use]
+pub fn at(
+    theta: &[f64],
+    points: usize,
+    residual: impl Fn(&[f64], usize, &mut [f64]) -> f64,
+) -> Minimum {
+    let mut slopes = vec![0.0; theta.len()];
+    let square = |i| residual(theta, i, &mut slopes).powi(2);
     Minimum {
-        parameters: theta,
-        cost,
-        normal,
+        parameters: theta.to_vec(),
+        cost: (0..points).map(square).sum(),
+        normal: normal(theta, points, &residual).0,
     }
 }
 

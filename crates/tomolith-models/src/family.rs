@@ -126,6 +126,8 @@ pub struct Cost {
     pub cached_entries: Option<CachedEntries>,
     /// What else is stored between the calls of an optimization, bytes, 0 where that is too much; None of a model that stores nothing.
     pub cached_bytes: Option<f64>,
+    /// Entries along which a call of an optimization sums, where these are stored, as a measure of its time; 0 elsewhere.
+    pub entries: f64,
     /// Memory of frames at work, bytes; 0 where that is little.
     pub working_bytes: usize,
     /// Whether the kernel runs along the rows of pixels where these are fewer than slices of voxels.

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! and t = t_i + t_c. Fitted by least squares of ln t: I_min (below the lowest irradiance), k, t₁, m. Where the best m is beyond its range, it is fixed
-//! at the end.
+//! at the end; standard errors count how uncertain m is there, too.
 //!
 //! **Source** zeroth-order consumption: Wang et al. 2022, supplement, Fig. S12; sub-linear rates: there, Fig. S11; the sum is ours. **Units** mW/cm², s.
 //! **Limits** four irradiances. One volume without space: light is even, inhibitor flows in at the rate k only.
@@ -24,7 +24,7 @@
 
 use serde::Serialize;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::least_squares::{Minimum, minimize};
+use tomolith_core::least_squares::{Minimum, at, minimize};
 use tomolith_core::response::curve::Curve;
 use tomolith_report::plot::{Axis, Plot};
 
@@ -71,8 +71,10 @@ impl Kinetics {
 pub struct KineticsFit {
     /// The resin.
     pub kinetics: Kinetics,
-    /// Standard errors of I_min, k, t₁ and m; None where the points do not fix them. That of m at an end of its range is not known.
-    pub errors: Option<[Option<f64>; 4]>,
+    /// Standard errors of I_min, k, t₁ and m; None where the points do not fix them.
+    pub errors: Option<[f64; 4]>,
+    /// Whether the best m is beyond its range, and the resin has the end of it.
+    pub is_order_at_end: bool,
     /// Time of the fit over the measured one, minus 1, from the lowest irradiance on.
     pub residuals: Vec<f64>,
     /// The largest areal dose I·t that was needed over the smallest one, minus 1: what a pure dose threshold misses.
@@ -110,20 +112,24 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
     let fit = Fit { x, y };
     let free = fit.best(None);
     let order = free.parameters[3];
-    let (minimum, fixed) = if (0.0..=1.0).contains(&order) {
-        (free, None)
+    let end = order.clamp(0.0, 1.0);
+    let minimum = if order == end {
+        free
     } else {
-        let end = if order < 0.0 { 0.0 } else { 1.0 };
-        (fit.best(Some(end)), Some(end))
+        let mut theta = fit.best(Some(end)).parameters;
+        theta.push(end);
+        at(&theta, x.len(), |theta, i, slopes| {
+            fit.residual(theta, None, i, slopes)
+        })
     };
-    let kinetics = fit.kinetics(&minimum.parameters, fixed);
+    let kinetics = fit.kinetics(&minimum.parameters, None);
     let used = kinetics.min_irradiance / x[0];
     let errors = minimum.errors(0.0, x.len()).map(|e| {
         [
-            Some(e[0] * kinetics.min_irradiance * (1.0 - used)),
-            Some(e[1] * kinetics.supply_per_s),
-            Some(e[2] * kinetics.cure_s),
-            e.get(3).copied(),
+            e[0] * kinetics.min_irradiance * (1.0 - used),
+            e[1] * kinetics.supply_per_s,
+            e[2] * kinetics.cure_s,
+            e[3],
         ]
     });
     let residuals = x.iter().zip(y).map(|(x, y)| {
@@ -134,6 +140,7 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
     Ok(KineticsFit {
         kinetics,
         errors,
+        is_order_at_end: order != end,
         residuals: residuals.collect(),
         dose_spread: doses().fold(0.0, f64::max) / doses().fold(f64::INFINITY, f64::min) - 1.0,
     })

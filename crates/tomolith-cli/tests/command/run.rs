@@ -687,6 +687,8 @@ fn kinds_and_schema_name_every_kind() {
                 page.name
             );
             let full = bench.stdout(0, &format!("kinds {} {}", family.name, page.name));
+            let dotted = format!("{}.{}", family.name, page.name);
+            assert_eq!(bench.stdout(0, &format!("kinds {dotted}")), full);
             for parameter in tomolith::job::kinds::parameters(page) {
                 assert!(
                     full.contains(&parameter.name),

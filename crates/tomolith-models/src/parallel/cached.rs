@@ -59,6 +59,11 @@ pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Opt
     (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
 }
 
+/// Entries that calls sum along: what is stored of the first part of a turn serves all parts.
+pub(super) fn entries(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> f64 {
+    lights.iter().map(|light| expected(light, vial, grid)).sum()
+}
+
 /// Entries of one light, of about that number: a patch has one in each frame, and as many more as columns cross it and the arc that it
 /// turns through.
 fn expected(light: &Light, vial: &dyn Vial, grid: &VolumeGrid) -> f64 {

@@ -161,9 +161,12 @@ impl ModelFamily for Params {
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
-            cached_bytes: is_optimized.then(|| kept_bytes(scene, grid)),
             runs_along_rows: true,
-            ..Cost::default()
+            ..if is_optimized {
+                stored(scene, grid)
+            } else {
+                Cost::default()
+            }
         })
     }
 
@@ -203,13 +206,20 @@ impl ModelFamily for Params {
     }
 }
 
-/// Bytes of what an optimization stores; 0 where that is too much.
-pub(crate) fn kept_bytes(scene: &OpticalScene<'_>, grid: &VolumeGrid) -> f64 {
-    match grid.shape {
-        [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
-        _ => cached::bytes(scene.lights, scene.vial, grid).map_or(0.0, |entries| {
-            entries + kept::bytes_of_bands(scene.lights, grid)
-        }),
+/// Bytes of what an optimization stores, 0 where that is too much, and the entries of a call.
+pub(crate) fn stored(scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Cost {
+    let (lights, vial) = (scene.lights, scene.vial);
+    if let [1, ny, nx] = grid.shape {
+        return Cost {
+            cached_bytes: Some(loose::bytes(lights, nx * ny)),
+            ..Cost::default()
+        };
+    }
+    let bytes = cached::bytes(lights, vial, grid);
+    Cost {
+        cached_bytes: Some(bytes.map_or(0.0, |bytes| bytes + kept::bytes_of_bands(lights, grid))),
+        entries: bytes.map_or(0.0, |_| cached::entries(lights, vial, grid)),
+        ..Cost::default()
     }
 }
 

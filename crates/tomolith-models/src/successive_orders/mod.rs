@@ -146,10 +146,7 @@ impl ModelFamily for Params {
                 ..Cost::default()
             },
             // Those of the cells are few
-            Purpose::Optimize => Cost {
-                cached_bytes: Some(parallel::kept_bytes(scene, grid)),
-                ..Cost::default()
-            },
+            Purpose::Optimize => parallel::stored(scene, grid),
             Purpose::Evaluate { .. } | Purpose::Probe => Cost::default(),
         })
     }

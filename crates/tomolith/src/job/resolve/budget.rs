@@ -24,7 +24,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     let finest = lit.lit_by(&last.lights);
     let finest_cost = family.cost(&finest, &last.grid).unwrap_or_default();
     let job_cost = family.cost(&lit, grid)?;
-    let entries = [&finest_cost, &job_cost].map(|cost| cost.cached_bytes.unwrap_or_default());
+    let entries = [&finest_cost, &job_cost].map(|cost| cost.entries);
     let (lights, iterations) = (&resolved.optics.lights, spec.stop.iterations);
     let effort = refinement::effort(&resolved.levels, grid, lights, iterations, entries);
     let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);

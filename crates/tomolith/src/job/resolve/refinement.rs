@@ -91,8 +91,8 @@ fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
     lights.iter().zip(sub_angles).map(turned).collect()
 }
 
-/// What the iterations of all levels cost, relative to `iterations` on the job's voxels. `entries`: what the model stores on the finest voxels
-/// and on the job's, 0 where it stores none; the time of a call is proportional to them.
+/// What the iterations of all levels cost, relative to `iterations` on the job's voxels. `entries`: along which calls sum on the finest
+/// voxels and on the job's, 0 where they are not stored; the time of a call is proportional to them.
 pub(crate) fn effort(
     levels: &[Level],
     grid: &VolumeGrid,

@@ -231,7 +231,7 @@ pub(crate) fn default_objective(spec: &JobSpec) -> Value {
 }
 
 /// What no job may leave out, without the parameters of kinds: the key, and how it may look.
-const REQUIRED: [(&str, &str); 13] = [
+const REQUIRED: [(&str, &str); 14] = [
     (
         "target",
         "a table [target], for example with phantom = \"gear\" and size_mm = 5.0",
@@ -278,6 +278,10 @@ const REQUIRED: [(&str, &str); 13] = [
     (
         "vial.bottom.z_mm",
         "the height at which the resin ends, for example z_mm = -10.0",
+    ),
+    (
+        "scenario.set",
+        "keys and their values there, for example set = { \"resin.absorption_per_mm\" = 0.06 }",
     ),
 ];
 
