@@ -256,6 +256,14 @@ impl Schedule {
         })
     }
 
+    /// The same where a machine shows frame `order[j]` of a light when its frame j is due.
+    #[must_use]
+    pub fn in_order(mut self, light: usize, order: &[usize]) -> Self {
+        let exposures = self.exposures.iter_mut().filter(|e| e.light == light);
+        exposures.for_each(|e| e.frame = order[e.frame]);
+        self
+    }
+
     /// All exposures, by time.
     #[must_use]
     pub fn exposures(&self) -> &[Exposure] {

@@ -60,7 +60,7 @@ impl ShownFrames {
             dead_pixels: machine.dead_pixels.clone(),
             ..PrinterSpec::default()
         };
-        let printer = Printer::new(&spec, base, &grid, Rotation::Clockwise)?;
+        let printer = Printer::new(&spec, base, &grid, Rotation::Clockwise, 1)?;
         let sums = printer.emitted(&Quantized {
             grid: grid.clone(),
             bits,

@@ -36,7 +36,7 @@
 //!     "canvas = [6, 4]\nquarter_turns = 1\ngray_curve = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]",
 //! ).unwrap();
 //! let grid = PatternGrid::full_turn(1, 0.0, 2, 4, 0.1); // 2 rows of 4 columns
-//! let printer = Printer::new(&spec, ".".as_ref(), &grid, Rotation::Clockwise).unwrap();
+//! let printer = Printer::new(&spec, ".".as_ref(), &grid, Rotation::Clockwise, 1).unwrap();
 //! let patterns = Patterns { grid, values: vec![0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 2.0] };
 //! let frames = printer.expose(&patterns, 8).unwrap();
 //! assert_eq!(frames.full_scale, 4.0);
@@ -235,6 +235,51 @@ impl PrinterSpec {
     }
 }
 
+impl PrinterSpec {
+    /// The frame of the patterns that is shown as number j, and how far the first one is from `start_deg`, degrees. Frames of several `turns` are shown turn
+    /// after turn, each of them alike.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a start within a part of a turn.
+    pub fn order(
+        &self,
+        azimuths: &[f64],
+        frame_arc: f64,
+        rotation: Rotation,
+        turns: usize,
+    ) -> Result<(Vec<usize>, f64)> {
+        let frames = azimuths.len() / turns;
+        let is_full = (frame_arc * frames as f64 - TAU).abs() < 1e-9;
+        let is_forward = self.rotation.is_none_or(|turns| turns == rotation);
+        let (first, away) = match self.start_deg {
+            None => (0, 0.0),
+            Some(start) if !is_full => {
+                return Err(Error::config(
+                    "printer.start_deg",
+                    format!("{start} degrees, but the angles are not a full turn"),
+                    "leave this key out: for a part of a turn, light.angles.start_deg says where it begins",
+                ));
+            }
+            Some(start) => {
+                let away = |k: &usize| {
+                    let turn = (azimuths[*k] - start.to_radians()).rem_euclid(TAU);
+                    if turn > PI { turn - TAU } else { turn }
+                };
+                let nearer = |a: &usize, b: &usize| away(a).abs().total_cmp(&away(b).abs());
+                let first = (0..frames).min_by(nearer).unwrap_or(0);
+                (first, away(&first).to_degrees())
+            }
+        };
+        let within_turn = |j: usize| match (is_forward, is_full) {
+            (true, _) => (first + j) % frames,
+            (false, true) => (first + frames - j) % frames,
+            (false, false) => frames - 1 - j,
+        };
+        let shown = |j: usize| j / frames * frames + within_turn(j % frames);
+        Ok(((0..azimuths.len()).map(shown).collect(), away))
+    }
+}
+
 /// A machine that shows the patterns of one light.
 #[derive(Clone, Debug)]
 pub struct Printer {
@@ -254,7 +299,7 @@ pub struct Printer {
 }
 
 impl Printer {
-    /// The machine of a table for patterns on a grid; files are relative to `base`.
+    /// The machine of a table for patterns on a grid, which has frames of its own for so many `turns`; files are relative to `base`.
     ///
     /// # Errors
     /// [`Error::Config`] with the key below `printer`: ranges, a canvas that is smaller than the patterns, copies that
@@ -265,6 +310,7 @@ impl Printer {
         base: &Path,
         pattern: &PatternGrid,
         rotation: Rotation,
+        turns: usize,
     ) -> Result<Self> {
         spec.ranges()?;
         must_resolve(spec, pattern)?;
@@ -276,7 +322,12 @@ impl Printer {
         };
         let shifts: Vec<f64> = pattern.azimuths.iter().map(shift).collect();
         let placings = placings(spec, pattern, &shifts)?;
-        let order = order(spec, pattern, rotation, &mut notes)?;
+        let (order, away) = spec.order(&pattern.azimuths, pattern.frame_arc, rotation, turns)?;
+        if let (Some(start), true) = (spec.start_deg, away.abs() > 1e-6) {
+            notes.push(format!(
+                "no frame has the azimuth {start} degrees: the movie begins with the nearest one, {away:.3} degrees away"
+            ));
+        }
         let mut printer = Printer {
             overlaps: None,
             curve: curve(spec, base)?,
@@ -577,51 +628,6 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
         Some(_) => {}
     }
     Ok(placings)
-}
-
-/// The frame of the patterns that is shown as number j.
-fn order(
-    spec: &PrinterSpec,
-    pattern: &PatternGrid,
-    rotation: Rotation,
-    notes: &mut Vec<String>,
-) -> Result<Vec<usize>> {
-    let frames = pattern.frames();
-    let full = (pattern.frame_arc * frames as f64 - TAU).abs() < 1e-9;
-    let forward = spec.rotation.is_none_or(|turns| turns == rotation);
-    let first = match spec.start_deg {
-        None => 0,
-        Some(start) if !full => {
-            return Err(Error::config(
-                "printer.start_deg",
-                format!("{start} degrees, but the angles are not a full turn"),
-                "leave this key out: for a part of a turn, light.angles.start_deg says where it begins",
-            ));
-        }
-        Some(start) => {
-            let away = |k: &usize| {
-                let turn = (pattern.azimuths[*k] - start.to_radians()).rem_euclid(TAU);
-                if turn > PI { turn - TAU } else { turn }
-            };
-            let first = (0..frames)
-                .min_by(|a, b| away(a).abs().total_cmp(&away(b).abs()))
-                .unwrap_or(0);
-            let rest = away(&first).to_degrees();
-            if rest.abs() > 1e-6 {
-                notes.push(format!(
-                    "no frame has the azimuth {start} degrees: the movie begins with the nearest one, {rest:.3} degrees away"
-                ));
-            }
-            first
-        }
-    };
-    Ok((0..frames)
-        .map(|j| match (forward, full) {
-            (true, _) => (first + j) % frames,
-            (false, true) => (first + frames - j) % frames,
-            (false, false) => frames - 1 - j,
-        })
-        .collect())
 }
 
 fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<ToneCurve>> {

@@ -23,8 +23,14 @@ pub(crate) fn printers(
     }
     let one = |(i, (light, named)): (usize, (&Light, &LightSpec))| {
         let printer = spec.printer_of(i).unwrap_or_default();
-        Printer::new(&printer, base, &light.pixels, named.rotation)
-            .map_err(|e| spec.at_printer_of(i, e))
+        Printer::new(
+            &printer,
+            base,
+            &light.pixels,
+            named.rotation,
+            spec.turns_of_patterns(),
+        )
+        .map_err(|e| spec.at_printer_of(i, e))
     };
     lights
         .iter()

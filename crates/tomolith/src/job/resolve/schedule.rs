@@ -2,29 +2,34 @@
 
 use crate::error::{Error, Result};
 use crate::job::resolve::ResolvedJob;
-use crate::job::spec::{Angles, JobSpec};
+use crate::job::spec::{Angles, JobSpec, LightSpec};
 use tomolith_material::schedule::{Schedule, Turns};
 
+/// Frames that cover a part of a turn take that part of its time; a machine may show them in another order than the light's angles.
 pub(crate) fn schedule(spec: &JobSpec) -> Result<Schedule> {
     let given = spec.schedule.clone().unwrap_or_default();
-    let turns: Vec<Turns> = spec
-        .light
-        .iter()
-        .map(|light| Turns {
-            duty: given.duty,
-            power: light.power.unwrap_or(given.power),
-            dark_before_s: given.dark_before_s,
-            dark_between_s: given.dark_between_s,
-            dark_after_s: given.dark_after_s,
-            own_patterns: given.own_patterns,
-            ..Turns::new(
-                light.angles.count(),
-                given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm),
-                light.turns.unwrap_or(given.turns),
-            )
-        })
-        .collect();
-    Schedule::of_turns(&turns).map_err(|error| at_schedule(spec, error))
+    let turn_s = given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm);
+    let turns_of = |light: &LightSpec| Turns {
+        duty: given.duty,
+        power: light.power.unwrap_or(given.power),
+        dark_before_s: given.dark_before_s,
+        dark_between_s: given.dark_between_s,
+        dark_after_s: given.dark_after_s,
+        own_patterns: given.own_patterns,
+        ..Turns::new(
+            light.angles.count(),
+            light.angles.turned() * turn_s,
+            light.turns.unwrap_or(given.turns),
+        )
+    };
+    let turns: Vec<Turns> = spec.light.iter().map(turns_of).collect();
+    let mut schedule = Schedule::of_turns(&turns).map_err(|error| at_schedule(spec, error))?;
+    for i in 0..spec.light.len() {
+        if let Some(order) = spec.shown_order(i)? {
+            schedule = schedule.in_order(i, &order);
+        }
+    }
+    Ok(schedule)
 }
 
 impl ResolvedJob {
@@ -42,6 +47,24 @@ impl JobSpec {
         schedule
             .and_then(|given| angles.turn_after_turn(given.turns as usize))
             .unwrap_or_else(|| angles.clone())
+    }
+
+    /// How many turns have frames of their own.
+    pub(crate) fn turns_of_patterns(&self) -> usize {
+        let schedule = self.schedule.as_ref().filter(|given| given.own_patterns);
+        schedule.map_or(1, |given| given.turns.max(1.0) as usize)
+    }
+
+    /// The frame of a light that its machine shows as number j; None where no machine is given.
+    pub(crate) fn shown_order(&self, light: usize) -> Result<Option<Vec<usize>>> {
+        let Some(printer) = self.printer_of(light) else {
+            return Ok(None);
+        };
+        let rotation = self.light[light].rotation;
+        let (azimuths, arc) = self.angles_of(light).azimuths(rotation);
+        let order = printer.order(&azimuths, arc, rotation, self.turns_of_patterns());
+        let (order, _) = order.map_err(|e| self.at_printer_of(light, e))?;
+        Ok(Some(order))
     }
 }
 
@@ -77,5 +100,65 @@ fn at_schedule(spec: &JobSpec, error: Error) -> Error {
         }
         Some((_, key)) => Error::config(format!("schedule.{key}"), found, accepted),
         None => error.under("schedule"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::tests::job_of;
+
+    /// Azimuth (degrees) and begin (s) of what shines, by a job of three angles and a turn of 6 s.
+    fn shown(changes: &[&str]) -> Vec<(f64, f64)> {
+        let text = r#"
+            target = { phantom = "gear", size_mm = 2.0 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [2, 2], angles = 3, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            schedule = { seconds_per_turn = 6.0 }
+        "#;
+        let spec = job_of(text, changes).spec;
+        let (azimuths, _) = spec.angles_of(0).azimuths(spec.light[0].rotation);
+        let schedule = schedule(&spec).unwrap();
+        let exposures = schedule.exposures().iter();
+        let shown =
+            exposures.map(|e| (azimuths[e.frame].to_degrees().rem_euclid(360.0), e.begin_s));
+        shown.map(|(degrees, s)| (degrees.round(), s)).collect()
+    }
+
+    #[test]
+    fn frames_shine_in_the_order_of_the_machine() {
+        let by_light = [(0.0, 0.0), (120.0, 2.0), (240.0, 4.0)];
+        assert_eq!(shown(&[]), by_light);
+        let other_way = "printer.rotation=\"counterclockwise\"";
+        let backwards = [(0.0, 0.0), (240.0, 2.0), (120.0, 4.0)];
+        assert_eq!(shown(&[other_way]), backwards);
+        let from_the_side = [(120.0, 0.0), (0.0, 2.0), (240.0, 4.0)];
+        assert_eq!(shown(&[other_way, "printer.start_deg=120"]), from_the_side);
+        // Frames of its own for each of two turns: the first turn is the first that is shown
+        let two = ["schedule.turns=2", "schedule.own_patterns=true"];
+        let backwards_twice: Vec<_> = (backwards.iter().copied())
+            .chain(backwards.map(|(degrees, s)| (degrees, s + 6.0)))
+            .collect();
+        assert_eq!(shown(&[&two[..], &[other_way]].concat()), backwards_twice);
+        let spec = job_of(
+            r#"
+            target = { phantom = "gear", size_mm = 2.0 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [2, 2], angles = { list_deg = [0, 10, 50] }, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            printer = { rotation = "counterclockwise" }
+            "#,
+            &two,
+        )
+        .spec;
+        assert_eq!(spec.shown_order(0).unwrap().unwrap(), [2, 1, 0, 5, 4, 3]);
+    }
+
+    #[test]
+    fn frames_of_a_part_of_a_turn_take_its_part_of_the_time() {
+        let half = "light.angles={ count = 2, arc_deg = 180 }";
+        let passes = [(0.0, 0.0), (90.0, 1.5), (0.0, 3.0), (90.0, 4.5)];
+        assert_eq!(shown(&[half, "schedule.turns=2"]), passes);
     }
 }

@@ -17,7 +17,7 @@ use tomolith_material::schedule::Schedule;
 pub(crate) struct Emitted<'a> {
     /// The pattern value of white.
     pub(crate) white: f64,
-    /// Sum of the intensities of all pixels of each frame, where white is 1.
+    /// Sum of the intensities of all pixels of each frame, where white is 1, in the order in which they are shown.
     pub(crate) sums: &'a [f64],
     /// How many frames there are.
     pub(crate) frames: usize,
@@ -39,8 +39,10 @@ pub(crate) fn budget(
     let energies = schedule.energies(i);
     let all: f64 = energies.iter().sum();
     // A broken turn ends before its last frames
-    let shown = energies.iter().zip(emitted.sums);
-    let shown: f64 = shown.map(|(energy, sum)| energy * sum).sum();
+    let order = spec.shown_order(i)?;
+    let order = order.unwrap_or_else(|| (0..energies.len()).collect());
+    let shown = order.iter().zip(emitted.sums);
+    let shown: f64 = shown.map(|(&frame, sum)| energies[frame] * sum).sum();
     let energy_mj = shown * emitted.white * emitted.pixel_mm2;
     let frames = energies.len().max(1) as f64;
     let turns = spec.light[i].turns.unwrap_or(given.turns);
@@ -149,7 +151,7 @@ mod tests {
     use tomolith_material::schedule::{Power, Turns};
 
     /// Of a white of 2, four pixels of 0.25 mm² and frames with these sums, shown at 3 mW/mm² by turns of four angles and 8 s.
-    fn budget_of(turns: &str, sums: &[f64]) -> Budget {
+    fn budget_of(turns: &str, machine: &str, sums: &[f64]) -> Budget {
         let text = format!(
             r#"
             target = {{ phantom = "gear", size_mm = 2.0 }}
@@ -157,6 +159,7 @@ mod tests {
             vial = {{ index_matched = {{ radius_mm = 3.0 }} }}
             light = [{{ pixels = [2, 2], angles = 4, projector = {{ collimated = {{ pixel_pitch_mm = 0.5 }} }} }}]
             schedule = {{ {turns}, seconds_per_turn = 8.0, power = {{ irradiance_mw_per_mm2 = 3.0 }} }}
+            {machine}
         "#
         );
         let document = crate::job::Document::toml("a.toml", &text).unwrap();
@@ -173,16 +176,18 @@ mod tests {
 
     #[test]
     fn a_broken_turn_sends_what_its_frames_send() {
-        // Half a turn shows the first two of four frames; the others are brighter, and never seen
-        let budget = budget_of("turns = 0.5", &[1.0, 2.0, 4.0, 4.0]);
-        // 2 s · 3 mW/mm² · 2 (white) · 0.25 mm² · (1 + 2)
-        near!(budget.energy_mj.unwrap(), 9.0, 1e-9);
-        near!(budget.energy_per_turn_mj.unwrap(), 18.0, 1e-9);
+        // Half a turn shows the first two of four frames of the machine; the others are brighter, and never seen
+        for machine in ["", "printer = { rotation = \"counterclockwise\" }"] {
+            let budget = budget_of("turns = 0.5", machine, &[1.0, 2.0, 4.0, 4.0]);
+            // 2 s · 3 mW/mm² · 2 (white) · 0.25 mm² · (1 + 2)
+            near!(budget.energy_mj.unwrap(), 9.0, 1e-9);
+            near!(budget.energy_per_turn_mj.unwrap(), 18.0, 1e-9);
+        }
     }
 
     #[test]
     fn white_of_two_turns_with_patterns_of_their_own_is_shown_for_one_frame() {
-        let budget = budget_of("turns = 2, own_patterns = true", &[1.0; 8]);
+        let budget = budget_of("turns = 2, own_patterns = true", "", &[1.0; 8]);
         // 2 s · 3 mW/mm² · 2 (white)
         near!(budget.white_mj_per_mm2.unwrap(), 12.0, 1e-9);
     }

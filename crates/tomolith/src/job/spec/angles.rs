@@ -142,6 +142,14 @@ impl Angles {
         }
     }
 
+    /// The share of a turn that all frames cover; 1 for a list.
+    pub(crate) fn turned(&self) -> f64 {
+        match self {
+            Angles::Even { arc_deg, .. } => arc_deg / 360.0,
+            Angles::List(_) => 1.0,
+        }
+    }
+
     /// Number of frames.
     #[must_use]
     pub fn count(&self) -> usize {
