@@ -62,7 +62,7 @@ pub(crate) struct ExposeArguments {
     #[arg(long, value_name = "S")]
     within_s: Option<f64>,
     /// Show quality against time, as the run found it on pixels of twice the width, in place of a plan
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["printer", "light", "irradiance", "power", "critical_dose", "rpm", "turns", "within_s"])]
     trade_off: bool,
     /// Write the job with the brightest pixel of this row of --trade-off
     #[arg(long, value_name = "ROW", requires_all = ["trade_off", "output"])]
@@ -270,7 +270,7 @@ fn machine(
 ) -> Result<Machine> {
     let irradiance = match (&given.irradiance, &given.power) {
         (Some(text), _) => IRRADIANCE.parse("--irradiance", text)?,
-        (None, Some(text)) => POWER.parse("--power", text)? / shown.area_cm2(),
+        (None, Some(text)) => POWER.parse("--power", text)? / shown.white_cm2(),
         (None, None) => printer.peak_irradiance_mw_per_cm2.ok_or_else(|| {
             missing(
                 "--irradiance",

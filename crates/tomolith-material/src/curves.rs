@@ -300,11 +300,23 @@ impl Curves {
     /// Where the phases end.
     #[must_use]
     pub fn phases(&self) -> Phases {
-        let gelled = self.points.iter().find(|p| p.gelled[0] + p.gelled[1] > 0.0);
+        let gelled = self.first_gelled_s();
         Phases {
-            induction_end_s: gelled.map(|p| p.seconds),
+            induction_end_s: gelled,
             curing_end_s: gelled.and(self.best()).map(|p| p.seconds),
         }
+    }
+
+    /// When the first voxel gels, s: within a step, where cure times are kept.
+    fn first_gelled_s(&self) -> Option<f64> {
+        let mut points = self.points.iter();
+        let at_end = points.find(|p| p.gelled[0] + p.gelled[1] > 0.0)?.seconds;
+        let Some(cure) = &self.cure else {
+            return Some(at_end);
+        };
+        let voxels = cure.seconds.as_slice().iter().zip(&self.labels);
+        let counted = voxels.filter(|(_, l)| **l != label::OUTSIDE);
+        Some(counted.fold(at_end, |first, (s, _)| first.min(f64::from(*s))))
     }
 
     /// What the part has absorbed, mJ.
@@ -332,7 +344,9 @@ impl Curves {
             Some(i) => {
                 let [a, b] = [self.points[i - 1], self.points[i]];
                 let share = (needed - a.contribution_mj) / (b.contribution_mj - a.contribution_mj);
-                IdealExposure::At(a.seconds + share * (b.seconds - a.seconds))
+                let seconds = a.seconds + share * (b.seconds - a.seconds);
+                // Nothing contributes before it gels
+                IdealExposure::At(seconds.max(self.first_gelled_s().unwrap_or(0.0)))
             }
         }
     }

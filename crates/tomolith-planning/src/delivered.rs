@@ -19,8 +19,8 @@ use tomolith_optics::exposure::{Printer, PrinterSpec, Quantized, Rotation};
 pub struct ShownFrames {
     /// Sum of the intensities of all pixels of each frame, where white is 1.
     pub sums: Vec<f64>,
-    /// Pixels of a frame.
-    pub pixels: usize,
+    /// That of a frame of white pixels.
+    pub all_white: f64,
     /// Area of a pixel at the vial, mm².
     pub pixel_mm2: f64,
     /// The pattern value of white, in units of the job.
@@ -76,21 +76,21 @@ impl ShownFrames {
         }
         Ok(ShownFrames {
             sums,
-            pixels: rows * columns,
+            all_white: printer.all_white(),
             pixel_mm2: grid.pixel_mm2(),
             white: full_scale.map(f64::from),
         })
     }
 
-    /// Area of a frame, cm².
+    /// Power of a white frame over the irradiance of its brightest pixel, cm²: its area, where all pixels are as bright.
     #[must_use]
-    pub fn area_cm2(&self) -> f64 {
-        self.pixels as f64 * self.pixel_mm2 / 100.0
+    pub fn white_cm2(&self) -> f64 {
+        self.all_white * self.pixel_mm2 / 100.0
     }
 
-    /// Mean intensity over all pixels and frames, where white is 1.
+    /// Light of all frames over that of as many white ones.
     #[must_use]
     pub fn mean(&self) -> f64 {
-        self.sums.iter().sum::<f64>() / (self.sums.len() * self.pixels) as f64
+        self.sums.iter().sum::<f64>() / (self.sums.len() as f64 * self.all_white)
     }
 }

@@ -13,7 +13,7 @@
 //! use tomolith_planning::plan::{Machine, ExposurePlan};
 //! use tomolith_planning::delivered::ShownFrames;
 //! // 10 frames of 100 pixels of 0.01 mm², half of them white; white is 2.4, and the resin gels at 0.8 = 2 mJ/mm³: 6 mJ/mm²
-//! let shown = ShownFrames { sums: vec![50.0; 10], pixels: 100, pixel_mm2: 0.01, white: Some(2.4) };
+//! let shown = ShownFrames { sums: vec![50.0; 10], all_white: 100.0, pixel_mm2: 0.01, white: Some(2.4) };
 //! let machine = Machine { irradiance: 95.0, rpm: 10.0, turns: None, refresh_hz: 60.0, within_s: None };
 //! let plan = ExposurePlan::new(&shown, &machine, 2.4, std::f64::consts::TAU / 10.0, 2.0, 0.8, None).unwrap();
 //! // 0.95 mW/mm² for 0.6 s in each turn: 10.53 turns, so 11 with the light on for 95.7 % of the time
@@ -123,7 +123,7 @@ impl ExposurePlan {
         let total: f64 = shown.sums.iter().sum();
         let turns_a_pass = at_speed(machine.rpm).turns_a_pass();
         must_be_whole_passes(machine.turns, turns_a_pass)?;
-        let budget = at_speed(machine.rpm).budget(white, total, shown.pixels, shown.pixel_mm2);
+        let budget = at_speed(machine.rpm).budget(white, total, shown.all_white, shown.pixel_mm2);
         let (Some(continuous_s), Some(exact), Some(white_mj_per_mm2)) =
             (budget.time_s, budget.turns, budget.white_mj_per_mm2)
         else {
@@ -286,7 +286,7 @@ mod tests {
         // Three turns of ten frames; white is 6 mJ/mm², of which a frame of 0.6 s gives 0.57
         let shown = ShownFrames {
             sums: vec![50.0; 30],
-            pixels: 100,
+            all_white: 100.0,
             pixel_mm2: 0.01,
             white: Some(2.4),
         };

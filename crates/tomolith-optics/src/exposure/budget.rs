@@ -22,7 +22,7 @@
 //! let exposure = ExposureBudget { peak_mw_per_cm2: Some(100.0), rpm: 10.0, frames: 10, frame_arc: std::f64::consts::TAU / 10.0,
 //!     critical_mj_per_mm3: Some(2.0), gel_dose: Some(0.8) };
 //! // White is 2.4·2/0.8 = 6 mJ/mm²: ten passes of 6 s. Half of 1000 pixels of 0.01 mm² are white
-//! let budget = exposure.budget(2.4, 5000.0, 1000, 0.01);
+//! let budget = exposure.budget(2.4, 5000.0, 1000.0, 0.01);
 //! assert!((budget.time_s.unwrap() - 60.0).abs() < 1e-9 && (budget.turns.unwrap() - 10.0).abs() < 1e-9);
 //! assert!((budget.energy_per_turn_mj.unwrap() - 30.0).abs() < 1e-9); // 0.6·0.01·5000
 //! assert_eq!(budget.light_used, 0.5);
@@ -52,7 +52,7 @@ pub struct ExposureBudget {
 /// Time, energy and use of the light; None where something is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Budget {
-    /// Mean over all pixels of the device and all frames, where white is 1.
+    /// Light of all frames over that of as many frames of white pixels.
     pub light_used: f64,
     /// White, mJ/mm² over the whole print.
     pub white_mj_per_mm2: Option<f64>,
@@ -98,9 +98,9 @@ impl ExposureBudget {
         Some(self.peak()? * seconds / self.frames as f64 / self.unit()?)
     }
 
-    /// The budget of frames with this white and sum of intensities, on so many pixels (of one frame) of an area (mm²).
+    /// The budget of frames with this white and sum of intensities, where that of a frame of white pixels, of an area (mm²) each, is `all_white`.
     #[must_use]
-    pub fn budget(&self, white: f64, emitted: f64, pixels: usize, area_mm2: f64) -> Budget {
+    pub fn budget(&self, white: f64, emitted: f64, all_white: f64, area_mm2: f64) -> Budget {
         let white_mj_per_mm2 = self.unit().map(|unit| white * unit);
         let per_pass = self
             .peak()
@@ -115,7 +115,7 @@ impl ExposureBudget {
             .map(|seconds| seconds * self.frames as f64 / turns_a_pass);
         let energy_per_turn_mj = per_pass.map(|pass| pass * area_mm2 * emitted / turns_a_pass);
         Budget {
-            light_used: emitted / (self.frames * pixels).max(1) as f64,
+            light_used: emitted / (self.frames.max(1) as f64 * all_white),
             white_mj_per_mm2,
             time_s: turns.zip(turn_s).map(|(turns, seconds)| turns * seconds),
             turns,
@@ -141,7 +141,7 @@ mod tests {
             critical_mj_per_mm3: None,
             gel_dose: Some(0.9),
         };
-        let budget = exposure.budget(1.0, 3.0, 2, 1.0);
+        let budget = exposure.budget(1.0, 3.0, 2.0, 1.0);
         assert_eq!(budget.light_used, 3.0 / 8.0);
         assert_eq!(
             (
@@ -158,7 +158,13 @@ mod tests {
         // 0.1 mW/mm² for 0.1 rad = 5.73° at 36°/s
         let expected = 0.1 * 0.1f64.to_degrees() / 36.0 * 3.0;
         assert!(
-            (turning.budget(1.0, 3.0, 2, 1.0).energy_per_turn_mj.unwrap() - expected).abs() < 1e-12
+            (turning
+                .budget(1.0, 3.0, 2.0, 1.0)
+                .energy_per_turn_mj
+                .unwrap()
+                - expected)
+                .abs()
+                < 1e-12
         );
         assert_eq!(turning.white_in(5.0), None);
     }

@@ -515,6 +515,20 @@ impl Printer {
         (!mask.is_open()).then_some(mask)
     }
 
+    /// What a pixel gives at level 0, where white is 1.
+    #[must_use]
+    pub fn dark_light(&self) -> f64 {
+        Tone::new(self.curve.as_ref(), 1).intensity(0)
+    }
+
+    /// Sum of the intensities of all device pixels at white, where that of the brightest is 1.
+    #[must_use]
+    pub fn all_white(&self) -> f64 {
+        (0..self.device_pixels())
+            .map(|device| self.bright(device))
+            .sum()
+    }
+
     /// Sum of the intensities of all device pixels of each frame, where white is 1.
     #[must_use]
     pub fn emitted(&self, frames: &Quantized) -> Vec<f64> {

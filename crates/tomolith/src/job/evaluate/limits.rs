@@ -2,6 +2,8 @@
 
 use super::SpeciesPrint;
 use super::doubts::{of_background, of_bound};
+use crate::exposure::Printer;
+use crate::grid::Patterns;
 use crate::job::evaluate::{Evaluated, at_best_threshold, headline};
 use crate::job::optimize::Optimized;
 use crate::job::resolve::ResolvedJob;
@@ -101,6 +103,7 @@ impl Asked<'_> {
             pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: resolved.evaluation().bit_depth,
             has_machine: resolved.printers.is_some(),
+            dark_light: self.dark_light(),
             arcs: Arcs::of(&lights),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < resolved.grid.pitch_mm
@@ -138,6 +141,21 @@ impl Asked<'_> {
         }
     }
 
+    /// The brightest light of a machine's level 0 that the patterns do not count.
+    fn dark_light(&self) -> Option<[f64; 2]> {
+        let (printers, raw) = (self.resolved.printers.as_ref()?, &self.optimized?.raw);
+        let of_light = |(printer, raw): (&Printer, &Patterns)| {
+            let white = raw.values.iter().copied().fold(0.0, f32::max);
+            [
+                printer.dark_light(),
+                printer.dark_light() * f64::from(white),
+            ]
+        };
+        let all = printers.iter().zip(raw).map(of_light);
+        let brightest = all.max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        (brightest[1] > self.resolved.bounds().min).then_some(brightest)
+    }
+
     /// Whether the loss had not come to rest; of the first species it is known whether that would have brought anything.
     fn falling(&self, s: usize) -> Option<Falling> {
         let optimized = self.optimized?;
@@ -168,6 +186,8 @@ struct Measurements {
     pitches_mm: [f64; 2],
     bits: u32,
     has_machine: bool,
+    /// What the machine gives at level 0, as a share of white and as a pattern value; None where the patterns count that light, or there is none.
+    dark_light: Option<[f64; 2]>,
     /// Arcs of frames; None for lists of angles.
     arcs: Option<Arcs>,
     /// Whether the optimization's voxels were as fine as the evaluation's: the job's voxels then limit nothing.
@@ -335,6 +355,13 @@ impl Measurements {
         let what = what.replace("{}", &self.change(before, after));
         let found = format!("Written with {bits}{machine} {what}.");
         if self.has_machine && self.bits >= ENOUGH_BITS {
+            if let Some([share, value]) = self.dark_light {
+                let [percent, value] = [100.0 * share, value].map(|n| significant(n, 3));
+                let found = format!(
+                    "{found} At level 0 the machine still gives {percent} % of white, {value} in these patterns, which the optimizer did not count."
+                );
+                return Some(self.limit(Cause::Levels, loss, "bounds.min", found, "Raise"));
+            }
             let action = "Bring the pixels of machine and light together (pitch, offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
         }
@@ -610,6 +637,7 @@ impl Measurements {
                 Cause::Ends if moving.is_some() => moving.as_deref().unwrap_or_default(),
                 Cause::Ends => "place the part's faces between rows of pixels, or lower",
                 Cause::Exposure => "change",
+                Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
                 Cause::Levels if limit.key == "printer" => {
                     "bring the pixels of machine and light together in"
                 }

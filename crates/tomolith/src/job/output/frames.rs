@@ -88,18 +88,17 @@ impl<'a> Shown<'a> {
     ) -> Result<Self> {
         let light = |(i, frames): (usize, &Quantized)| -> Result<ShownLight> {
             let printer = printers.map(|printers| &printers[i]);
-            let emitted = match printer {
-                Some(printer) => printer.emitted(frames),
-                None => frames.sums(),
-            };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
-            let (pixels, pixel_mm2) = (grid.rows * grid.columns, grid.pixel_mm2());
+            let (emitted, all_white) = match printer {
+                Some(printer) => (printer.emitted(frames), printer.all_white()),
+                None => (frames.sums(), (grid.rows * grid.columns) as f64),
+            };
             let emitted = Emitted {
                 white,
                 sums: &emitted,
                 frames: grid.frames(),
-                pixels,
-                pixel_mm2,
+                all_white,
+                pixel_mm2: grid.pixel_mm2(),
             };
             let (budget, irradiance) = showing.budget(i, &emitted, gel_dose)?;
             Ok(ShownLight {

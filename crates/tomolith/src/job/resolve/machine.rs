@@ -183,7 +183,7 @@ impl<'a> Showing<'a> {
         }
         let exposure = exposure(self.spec, light, gel_dose);
         let (white, sum) = (emitted.white, emitted.sums.iter().sum());
-        let budget = exposure.budget(white, sum, emitted.pixels, emitted.pixel_mm2);
+        let budget = exposure.budget(white, sum, emitted.all_white, emitted.pixel_mm2);
         Ok((budget, None))
     }
 }

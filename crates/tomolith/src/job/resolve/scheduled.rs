@@ -21,7 +21,8 @@ pub(crate) struct Emitted<'a> {
     pub(crate) sums: &'a [f64],
     /// How many frames there are.
     pub(crate) frames: usize,
-    pub(crate) pixels: usize,
+    /// That of a frame of white pixels.
+    pub(crate) all_white: f64,
     /// Area of a pixel, mm².
     pub(crate) pixel_mm2: f64,
 }
@@ -48,7 +49,7 @@ pub(crate) fn budget(
     let turns = spec.light[i].turns.unwrap_or(given.turns);
     let budget = Budget {
         light_used: emitted.sums.iter().sum::<f64>()
-            / (emitted.frames * emitted.pixels).max(1) as f64,
+            / (emitted.frames.max(1) as f64 * emitted.all_white),
         white_mj_per_mm2: Some(emitted.white * all / frames),
         time_s: Some(match spec.light[i].turns {
             Some(_) => shone_until(&schedule, i),
@@ -168,7 +169,7 @@ mod tests {
             white: 2.0,
             sums,
             frames: sums.len(),
-            pixels: 4,
+            all_white: 4.0,
             pixel_mm2: 0.25,
         };
         budget(&spec, 0, &emitted).unwrap().unwrap().0

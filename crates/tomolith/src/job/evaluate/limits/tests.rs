@@ -21,6 +21,7 @@ fn measurements() -> Measurements {
         pitches_mm: [0.056, 0.028],
         bits: 8,
         has_machine: false,
+        dark_light: None,
         arcs: Some(Arcs {
             text: "2°".to_owned(),
             key: "light.angles".to_owned(),
@@ -550,5 +551,32 @@ fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
     assert_eq!(
         losses(&limits)[..2],
         [(Cause::Optics, 0.126), (Cause::Levels, 0.004)]
+    );
+}
+
+#[test]
+fn light_that_a_machine_leaves_at_level_0_is_named() {
+    let machine = Measurements {
+        has_machine: true,
+        written: Some(0.953),
+        own_turning: None,
+        ..measured([0.984, 0.953, 0.953, 0.95])
+    };
+    let advice_of = |machine: &Measurements| machine.limits().causes[0].advice.clone();
+    let apart = advice_of(&machine);
+    assert!(apart.contains("Bring the pixels"), "{apart}");
+    let dark = Measurements {
+        dark_light: Some([0.05, 0.125]),
+        ..machine
+    };
+    let text = advice_of(&dark);
+    tomolith_core::contains!(
+        text,
+        "gives 5 % of white, 0.125 in these patterns",
+        "Raise `bounds.min`."
+    );
+    tomolith_core::contains!(
+        dark.limits().sentence,
+        "To improve, count the light of level 0: raise `bounds.min`."
     );
 }
