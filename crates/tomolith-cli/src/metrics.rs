@@ -309,7 +309,12 @@ fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
             ));
         }
     }
-    if let Some(farthest) = evaluation.farthest {
+    // Surfaces that are the same are nowhere apart
+    let apart = evaluation
+        .measures
+        .get("hausdorff_mm")
+        .is_some_and(|mm| mm > 0.0);
+    if let Some(farthest) = evaluation.farthest.filter(|_| apart) {
         let [x, y, z] = farthest.at_mm.map(concise);
         let (side, unit) = (farthest.side.words(), unit("mm"));
         say(&format!(

@@ -48,7 +48,13 @@ fn simulate_stages(
     let job = &beside_the_run(job)?;
     let mut resolved = resolved(job, work)?;
     let (patterns, notes) = written::read(&resolved, source, work)?;
-    resolved.notes.extend(notes);
+    // A dose too large or too small only moves the threshold; in time it prints something else
+    let is_in_time = resolved.schedule().is_some();
+    let texts = match is_in_time {
+        true => &mut resolved.warnings,
+        false => &mut resolved.notes,
+    };
+    texts.extend(notes);
     let report = report_beside(source);
     respond_as_found(&mut resolved, report.as_ref())?;
     let pitch_mm = report.and_then(|report| report.pointer("/evaluation/grid/pitch_mm")?.as_f64());
