@@ -30,8 +30,8 @@ use tomolith_core::parallel::table;
 /// once: they share what they light.
 const TIMED_UPDATES: usize = 50_000_000;
 const TIMED_FRAMES: usize = 8;
-/// Groups of neighboring frames at least: one and the opposite one.
-const TIMED_GROUPS: usize = 2;
+/// Groups of neighboring frames at least: one in each quarter of the turn, since what is found of a quarter serves all of them.
+const TIMED_GROUPS: usize = 4;
 /// Pixels of a frame that are enough to begin with where pixels are taken alone: rays through many walls take long.
 const TIMED_PIXELS: usize = 32;
 /// Blocks of rows at most, of which a column of such a sample has one.
@@ -71,8 +71,8 @@ pub(crate) struct Rates {
     pub(crate) vector_s: f64,
     /// Sampling the target, s per voxel.
     pub(crate) sampling_s: f64,
-    /// Measuring a print, above all the distances of surfaces, s per voxel.
-    pub(crate) measuring_s: f64,
+    /// Measuring a print.
+    pub(crate) measuring: MeasuringRate,
 }
 
 /// How fast a model is.
@@ -166,7 +166,7 @@ pub(crate) fn rates(
         objective_s,
         vector_s,
         sampling_s: sampling_s / job.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels, job.extent.refine, work)?,
+        measuring: measuring(voxels, job.extent.refine, work)?,
         model: plan.reason,
     })
 }
@@ -560,9 +560,44 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64().max(1e-7), result)
 }
 
-/// Seconds per voxel to measure a print on voxels `refine` times finer, in addition to what measuring any print takes: the target is
+/// What measuring a print costs: numbers for each voxel, and distances along its surface, which grows with the square of the edge.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeasuringRate {
+    /// s per voxel.
+    pub(crate) per_voxel_s: f64,
+    /// s per voxel to the power of ⅔.
+    pub(crate) per_face_s: f64,
+    /// s per voxel of the larger copy, all in all.
+    pub(crate) mean_s: f64,
+}
+
+impl MeasuringRate {
+    /// From two measurements (voxels, seconds): what grows faster than faces is put on voxels, at most all of it; of one size, all.
+    fn through([few, more]: [(f64, f64); 2]) -> Self {
+        let mean_s = more.1 / more.0.max(1.0);
+        let faces = more.0.max(1.0).powf(2.0 / 3.0);
+        let share = faces / few.0.max(1.0).powf(2.0 / 3.0);
+        let per_voxel_s = match more.0 > few.0 {
+            true => (more.1 - share * few.1) / (more.0 - share * few.0),
+            false => mean_s,
+        };
+        let per_voxel_s = per_voxel_s.clamp(0.0, mean_s);
+        MeasuringRate {
+            per_voxel_s,
+            per_face_s: (more.1 - per_voxel_s * more.0) / faces,
+            mean_s,
+        }
+    }
+
+    /// A print of so many voxels, s.
+    pub(crate) fn seconds(self, voxels: f64) -> f64 {
+        self.per_voxel_s * voxels + self.per_face_s * voxels.powf(2.0 / 3.0)
+    }
+}
+
+/// What measuring a print on voxels `refine` times finer costs: the target is
 /// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
-fn measuring(voxels: &Voxels, refine: usize, work: &Work) -> Result<f64> {
+fn measuring(voxels: &Voxels, refine: usize, work: &Work) -> Result<MeasuringRate> {
     let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
     let edge = (longest * refine).min(TIMED_EDGE);
     let mut found = [(0.0, 0.0); 2];
@@ -577,7 +612,7 @@ fn measuring(voxels: &Voxels, refine: usize, work: &Work) -> Result<f64> {
         work.check()?;
         *found = (labels.values.len() as f64, seconds);
     }
-    Ok(CallRate::through(found).per_update_s)
+    Ok(MeasuringRate::through(found))
 }
 
 /// The same volume with `edge` voxels along its longest axis: every n-th voxel, or some of them several times.
@@ -617,6 +652,18 @@ mod tests {
         // A job that is too small for two sizes, and a clock that was disturbed
         assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
         assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
+    }
+
+    #[test]
+    fn measuring_grows_with_voxels_and_faces() {
+        let seconds = |measured, voxels| MeasuringRate::through(measured).seconds(voxels);
+        // 2 µs a voxel and 100 µs a face: 1000 and 8000 voxels, 100 and 400 faces
+        let both = [(1e3, 0.012), (8e3, 0.056)];
+        tomolith_core::near!(seconds(both, 64e3), 0.128 + 0.16, 1e-12);
+        // Slower than faces, faster than voxels, and one size only
+        tomolith_core::near!(seconds([(1e3, 0.02), (8e3, 0.04)], 64e3), 0.16, 1e-12);
+        tomolith_core::near!(seconds([(1e3, 1e-4), (8e3, 0.04)], 64e3), 0.32, 1e-12);
+        tomolith_core::near!(seconds([(8e3, 0.04), (8e3, 0.04)], 64e3), 0.32, 1e-12);
     }
 
     #[test]

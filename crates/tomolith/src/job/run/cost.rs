@@ -22,16 +22,15 @@ const OTHER_CALLS: f64 = 4.0;
 /// Models of the evaluation: on the job's voxels as optimized and turning, on finer ones turning.
 const MODELS: f64 = 3.0;
 
-/// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics,
-/// the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
-/// the job's own the metrics and files; for each pixel a PNG, a movie, its check and the arrays.
+/// What measuring a thinned copy costs, times so many: on the finer grid the metrics, the published numbers and the surface's file; on
+/// the job's own the metrics and files; for each pixel, at the price of a voxel, a PNG, a movie, its check and the arrays.
 const MEASURES_PER_FINE_VOXEL: f64 = 0.9;
 const MEASURES_PER_VOXEL: f64 = 2.4;
 
-const MEASURES_PER_PIXEL: f64 = 1.8;
+const MEASURES_PER_PIXEL: f64 = 0.8;
 
 /// Measures for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
-const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
+const MEASURES_PER_CANVAS_PIXEL: f64 = 0.3;
 
 /// What a job asks for.
 #[derive(Clone, Copy, Debug)]
@@ -178,16 +177,20 @@ impl Demand<'_> {
             } else {
                 0.0
             };
-        let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
-            + extent.pixels as f64 * MEASURES_PER_PIXEL
+        let measuring = rates.measuring;
+        let files = extent.pixels as f64 * MEASURES_PER_PIXEL
             + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
+        let measures_s = MEASURES_PER_FINE_VOXEL * measuring.seconds(voxels * finer)
+            + MEASURES_PER_VOXEL * measuring.seconds(voxels)
+            + files * measuring.mean_s;
         Cost {
             optimization_s,
             rest_s: (MODELS + extent.scenarios as f64) * evaluate_s
                 + self.evaluation_s(rates)
                 + extent.scenarios as f64 * self.turning_s(rates)
-                + measures * rates.measuring_s
-                + voxels * (finer + 1.0) * rates.sampling_s,
+                + measures_s
+                // Above all what a target's surface crosses
+                + voxels * (finer.powf(2.0 / 3.0) + 1.0) * rates.sampling_s,
         }
     }
 }
@@ -202,7 +205,7 @@ fn seconds(rates: &CallRates, frames: f64) -> [f64; 4] {
 mod tests {
     use super::*;
     use crate::job::resolve::extent::tests::extent;
-    use crate::job::run::benchmark::CallRate;
+    use crate::job::run::benchmark::{CallRate, MeasuringRate};
 
     fn rates() -> Rates {
         let rate = |begin_s, per_update_s| CallRate {
@@ -230,7 +233,11 @@ mod tests {
             objective_s: 0.01,
             vector_s: 1e-5,
             sampling_s: 1e-3,
-            measuring_s: 2e-3,
+            measuring: MeasuringRate {
+                per_voxel_s: 2e-3,
+                per_face_s: 0.0,
+                mean_s: 2e-3,
+            },
         }
     }
 
@@ -256,9 +263,9 @@ mod tests {
         tomolith_core::near!(cost.optimization_s, expected, 1e-9);
         // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; on the own voxels twice and
         // turning (2 + 4 angles), turning on eight times as many: 4·1 + (6 + 4·8)·6 = 232 s. Making its model takes 6.5 s, three times; 0.9
-        // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
-        let measures = 1000.0 * (0.9 * 8.0 + 2.4) + 1.8 * 2000.0;
-        let rest = 232.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
+        // measures of each fine voxel, 2.4 of the own grid's, 0.8 of each pixel; both grids sampled, the finer one at four times the price
+        let measures = 1000.0 * (0.9 * 8.0 + 2.4) + 0.8 * 2000.0;
+        let rest = 232.0 + measures * 2e-3 + 5.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
         tomolith_core::near!(cost.rest_s, rest, 1e-9);
         // What was timed counts where it is longer
         let timed = |seconds| demand.as_timed(&rates(), Some(seconds)).cost(&rates());
