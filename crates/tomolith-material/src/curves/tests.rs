@@ -209,8 +209,15 @@ fn cure_times_are_interpolated_within_a_block() {
             .unwrap()
             .with_cure_times(&material);
         watch(&mut curves, &material, &schedule, &model, &x, Some(step));
-        let middle = curves.cure_times(&material).unwrap().values[12];
-        assert!((middle - 8.0).abs() < 1e-4, "{step}: {middle}");
+        let times = curves.cure_times(&material).unwrap().values;
+        assert!((times[12] - 8.0).abs() < 1e-4, "{step}: {}", times[12]);
+        // What is first solid is so within a step, and the ideal exposure not before it
+        let first = times[1..].iter().copied().fold(f32::INFINITY, f32::min);
+        assert_eq!(curves.phases().induction_end_s, Some(f64::from(first)));
+        let IdealExposure::At(ideal) = curves.ideal_exposure() else {
+            panic!("{:?}", curves.ideal_exposure())
+        };
+        assert!(ideal >= f64::from(first), "{ideal} {first}");
     }
 }
 
