@@ -12,6 +12,7 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::job::spec::file_names::EXPOSURE;
 use crate::models::Work;
+use crate::optics::light::Light;
 use serde_json::Value;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,7 @@ impl Written {
                 .collect::<Result<_>>()?;
             let shown = frames.iter().map(Quantized::patterns).collect();
             return Ok(Written {
-                shown,
+                shown: with_background(job, shown, &raw),
                 raw: Some(raw),
                 frames: Some(frames),
             });
@@ -50,7 +51,7 @@ impl Written {
             .map(light)
             .collect::<Result<_>>()?;
         Ok(Written {
-            shown,
+            shown: with_background(job, shown, &raw),
             raw: Some(raw),
             frames: None,
         })
@@ -66,6 +67,40 @@ impl Written {
             _ => Ok(Cow::Borrowed(&[])),
         }
     }
+}
+
+/// Light that is at least the background of its projector (`bounds.min`), where the `wanted` patterns are: level 0 of a frame is not darker.
+fn with_background(
+    job: &ResolvedJob,
+    mut shown: Vec<Patterns>,
+    wanted: &[Patterns],
+) -> Vec<Patterns> {
+    for (i, (shown, wanted)) in shown.iter_mut().zip(wanted).enumerate() {
+        let least = job.bounds_of(i).0 as f32;
+        if least == 0.0 {
+            continue;
+        }
+        let values = shown.values.iter_mut().zip(&wanted.values);
+        values.for_each(|(value, wanted)| *value = value.max(wanted.min(least)));
+    }
+    shown
+}
+
+/// White wherever the light of a job may shine: where its background does, as far as frames alone tell.
+fn all_lit(job: &ResolvedJob) -> Vec<Patterns> {
+    let of_light = |light: &Light| {
+        let mut lit = Patterns::dark(light.pixels.clone());
+        let [rows, columns] = [light.pixels.rows, light.pixels.columns];
+        for (at, value) in lit.values.iter_mut().enumerate() {
+            let pixel = [at / (rows * columns), at / columns % rows, at % columns];
+            *value = match light.selection.allows(pixel) {
+                true => f32::INFINITY,
+                false => 0.0,
+            };
+        }
+        lit
+    };
+    job.optics.lights.iter().map(of_light).collect()
 }
 
 /// Levels of patterns on their machines.
@@ -111,11 +146,16 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Writ
         Some(printers) => printers[i].light_of(frames),
         None => Ok(frames.patterns()),
     };
-    let shown = frames
+    let shown: Vec<Patterns> = frames
         .iter()
         .enumerate()
         .map(light)
         .collect::<Result<_>>()?;
+    let lights = 0..job.optics.lights.len();
+    let shown = match lights.into_iter().any(|i| job.bounds_of(i).0 > 0.0) {
+        true => with_background(job, shown, &all_lit(job)),
+        false => shown,
+    };
     let written = Written {
         shown,
         raw: None,
@@ -267,4 +307,38 @@ fn white_beside(path: &Path) -> Option<f32> {
         .iter()
         .find(|light| light["movie"] == name)?;
     light["white"].as_f64().map(|white| white as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::tests::job_of;
+
+    #[test]
+    fn written_light_is_nowhere_darker_than_the_background() {
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [4, 1], angles = 1, selection = { columns = [1, 3] }, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            bounds = { min = 0.1 }
+            evaluate = { bit_depth = 2 }
+        "#;
+        let job = job_of(text, &[]);
+        let resolved = ResolvedJob::under(&job, &Work::new()).unwrap();
+        let raw = Patterns {
+            grid: resolved.optics.lights[0].pixels.clone(),
+            values: vec![0.0, 0.1, 0.6, 3.0],
+        };
+        // Levels of 0, 1, 2 and 3; the first pixel may not shine
+        let written = Written::of_raw(vec![raw], &resolved).unwrap();
+        assert_eq!(written.shown[0].values, [0.0, 0.1, 1.0, 3.0]);
+        let frames = written.frames(&resolved).unwrap();
+        assert_eq!(frames[0].values, [0, 0, 1, 3]);
+        let lit = all_lit(&resolved);
+        let shown = with_background(&resolved, vec![frames[0].patterns()], &lit);
+        // Frames alone tell the same
+        assert_eq!(shown, written.shown);
+    }
 }
