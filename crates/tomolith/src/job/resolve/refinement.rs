@@ -258,18 +258,19 @@ pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
         let pitch = significant(level.grid.pitch_mm, 3);
         format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
     };
-    match levels {
-        [first, .., last] => Some(format!(
-            "patterns are optimized on {} up to iteration {}, then on {}",
-            text_of(first),
-            first.until,
-            text_of(last)
-        )),
-        [level] if level.grid != *grid => {
-            Some(format!("patterns are optimized on {}", text_of(level)))
-        }
-        _ => None,
+    let last = levels.last()?;
+    if levels.len() == 1 && last.grid == *grid {
+        return None;
     }
+    let of_level = |level: &Level| match level.until == last.until {
+        true => text_of(level),
+        false => format!("{} up to iteration {}", text_of(level), level.until),
+    };
+    let all: Vec<String> = levels.iter().map(of_level).collect();
+    Some(format!(
+        "patterns are optimized on {}",
+        all.join(", then on ")
+    ))
 }
 
 /// What to say of `grid.refine` where nothing becomes finer by it.
