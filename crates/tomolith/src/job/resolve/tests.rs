@@ -40,6 +40,17 @@ fn slices_lie_on_the_rows_of_the_pixels() {
     assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
     // Ten slices hold the target only where they are
     assert_eq!(moved(10, 0.0, 33), 0.0);
+    // Slices whose edges cannot lie on those of rows stay, and those that miss them by rounding do not
+    let of_pitch = |pitch_mm| {
+        let grid = VolumeGrid {
+            pitch_mm,
+            height_mm: pitch_mm,
+            ..grid(21, 0.0)
+        };
+        on_rows(grid, &rows(32), [-0.5, 0.5]).center_mm[2]
+    };
+    tomolith_core::near!(of_pitch(0.05), 0.025, 1e-9);
+    assert!(of_pitch(0.08) == 0.0 && of_pitch(0.0999) != 0.0);
 }
 
 #[test]
