@@ -568,8 +568,21 @@ impl Measurements {
 
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
+        let turning = self.value(self.turning?);
+        let seen = self.seen()?;
+        let steps: Vec<String> = causes.iter().filter_map(|limit| self.step(limit)).collect();
+        let steps = match steps.join(", ") {
+            steps if steps.is_empty() => String::new(),
+            steps => format!(": {steps}"),
+        };
+        let improve = self.improvement(causes).unwrap_or_default();
+        Some(format!("Predicted {turning}{seen}{steps}.{improve}"))
+    }
+
+    /// What was seen before the patterns were written, or on coarser voxels, in parentheses.
+    fn seen(&self) -> Option<String> {
         let at = self.best.map_or("", |_| " at the best threshold");
-        let seen = match (self.optimized, self.is_simulated) {
+        Some(match (self.optimized, self.is_simulated) {
             _ if self.saw_finer && self.unrounded.is_some() => {
                 format!(" (before rounding{at} {:.3})", self.unrounded?)
             }
@@ -584,84 +597,83 @@ impl Measurements {
             (Some(seen), false) => format!(" (the optimizer saw {seen:.3}{at})"),
             (Some(seen), true) => format!(" (unwritten, on the job's grid{at}: {seen:.3})"),
             (None, _) => String::new(),
-        };
-        let step = |limit: &Limit| {
-            let name = match limit.cause {
-                Cause::Grid => "finer grid".to_owned(),
-                Cause::Levels => {
-                    format!("{}{}", counted(self.bits as usize, "bit"), self.machine())
-                }
-                Cause::Turning => "rotation".to_owned(),
-                Cause::Ends => "faces within rows of pixels".to_owned(),
-                Cause::Exposure => "exposure".to_owned(),
-                // What the optimizer saw says it
-                Cause::Optics | Cause::Iterations | Cause::Time => return None,
-            };
-            let change = if self.kind.better == Better::Lower {
-                limit.loss
-            } else {
-                -limit.loss
-            };
-            let change = signed(change);
-            // Beside what finer voxels saw, a gain explains nothing
-            let counts = !self.saw_finer || limit.loss > 0.0;
-            let lost = self.loss(Some(self.perfect()), self.turning);
-            let hidden = match limit.cause == Cause::Ends && Some(limit.loss) > lost {
-                true => ", which voxels of this size do not show",
-                false => "",
-            };
-            (counts && change != "0").then(|| format!("{name} {change}{hidden}"))
-        };
-        let steps: Vec<String> = causes.iter().filter_map(step).collect();
-        // What light leaves of gray values may be left by finer pixels too
-        let is_certain =
-            |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
-        let worth = |limit: &&Limit| {
-            let least = match limit.cause == Cause::Optics && limit.key == self.pixel_key {
-                true => WORTH_PIXELS,
-                false => WORTH_CHANGING,
-            };
-            limit.loss >= least && is_certain(limit) && !limit.key.is_empty()
-        };
-        let improve = causes.first().filter(worth);
-        let improve = improve.map_or_else(String::new, |limit| {
-            if self.is_toy {
-                return " This is a toy of the job: run without `--toy` before you change it."
-                    .to_owned();
+        })
+    }
+
+    /// What a cause changes; None for what the optimizer saw, and for what explains nothing.
+    fn step(&self, limit: &Limit) -> Option<String> {
+        let name = match limit.cause {
+            Cause::Grid => "finer grid".to_owned(),
+            Cause::Levels => {
+                format!("{}{}", counted(self.bits as usize, "bit"), self.machine())
             }
-            let moving = self
-                .light_up()
-                .map(|up| format!("move the light {up} with"));
-            let verb = match limit.cause {
-                Cause::Grid => "lower",
-                Cause::Ends if moving.is_some() => moving.as_deref().unwrap_or_default(),
-                Cause::Ends => "place the part's faces between rows of pixels, or lower",
-                Cause::Exposure => "change",
-                Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
-                Cause::Levels if limit.key == "printer" => {
-                    "bring the pixels of machine and light together in"
-                }
-                Cause::Optics if limit.key == self.pixel_key => "try a lower",
-                Cause::Optics if limit.key == "objective" => "change",
-                Cause::Optics if limit.key == "bounds.min" => "lower",
-                Cause::Optics => self.lacking().map_or("raise", |lack| lack.verb),
-                _ => "raise",
-            };
-            let anew = match self.is_of_patterns(limit.cause) {
-                true => "make the patterns anew: ",
-                false => "",
-            };
-            let light = self.pixel_light.as_ref();
-            let light = light.filter(|_| limit.key == self.pixel_key);
-            let light_name = light.map_or_else(String::new, |name| format!(" ({name})"));
-            format!(" To improve, {anew}{verb} `{}`{light_name}.", limit.key)
-        });
-        let turning = self.value(self.turning?);
-        let steps = match steps.join(", ") {
-            steps if steps.is_empty() => String::new(),
-            steps => format!(": {steps}"),
+            Cause::Turning => "rotation".to_owned(),
+            Cause::Ends => "faces within rows of pixels".to_owned(),
+            Cause::Exposure => "exposure".to_owned(),
+            Cause::Optics | Cause::Iterations | Cause::Time => return None,
         };
-        Some(format!("Predicted {turning}{seen}{steps}.{improve}"))
+        let change = match self.kind.better == Better::Lower {
+            true => signed(limit.loss),
+            false => signed(-limit.loss),
+        };
+        // Beside what finer voxels saw, a gain explains nothing
+        let counts = !self.saw_finer || limit.loss > 0.0;
+        let lost = self.loss(Some(self.perfect()), self.turning);
+        let hidden = match limit.cause == Cause::Ends && Some(limit.loss) > lost {
+            true => ", which voxels of this size do not show",
+            false => "",
+        };
+        (counts && change != "0").then(|| format!("{name} {change}{hidden}"))
+    }
+
+    /// Which key to change; None where the first cause is not worth it.
+    fn improvement(&self, causes: &[Limit]) -> Option<String> {
+        let limit = causes.first().filter(|limit| self.is_worth(limit))?;
+        if self.is_toy {
+            return Some(
+                " This is a toy of the job: run without `--toy` before you change it.".to_owned(),
+            );
+        }
+        let moving = self
+            .light_up()
+            .map(|up| format!("move the light {up} with"));
+        let verb = match limit.cause {
+            Cause::Grid => "lower",
+            Cause::Ends if moving.is_some() => moving.as_deref().unwrap_or_default(),
+            Cause::Ends => "place the part's faces between rows of pixels, or lower",
+            Cause::Exposure => "change",
+            Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
+            Cause::Levels if limit.key == "printer" => {
+                "bring the pixels of machine and light together in"
+            }
+            Cause::Optics if limit.key == self.pixel_key => "try a lower",
+            Cause::Optics if limit.key == "objective" => "change",
+            Cause::Optics if limit.key == "bounds.min" => "lower",
+            Cause::Optics => self.lacking().map_or("raise", |lack| lack.verb),
+            _ => "raise",
+        };
+        let anew = match self.is_of_patterns(limit.cause) {
+            true => "make the patterns anew: ",
+            false => "",
+        };
+        let light = self.pixel_light.as_ref();
+        let light = light.filter(|_| limit.key == self.pixel_key);
+        let light_name = light.map_or_else(String::new, |name| format!(" ({name})"));
+        Some(format!(
+            " To improve, {anew}{verb} `{}`{light_name}.",
+            limit.key
+        ))
+    }
+
+    /// Whether a cause costs enough to change its key.
+    fn is_worth(&self, limit: &Limit) -> bool {
+        let least = match limit.cause == Cause::Optics && limit.key == self.pixel_key {
+            true => WORTH_PIXELS,
+            false => WORTH_CHANGING,
+        };
+        // What light leaves of gray values may be left by finer pixels too
+        let is_certain = limit.cause != Cause::Optics || self.kind.better != Better::Lower;
+        limit.loss >= least && is_certain && !limit.key.is_empty()
     }
 }
 
