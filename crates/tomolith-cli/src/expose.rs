@@ -103,44 +103,12 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let exposure = exposure_of(&given.run)?;
     let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
     let machine = machine(given, &job, &printer, &shown)?;
-    let critical = match &given.critical_dose {
-        Some(text) => VOLUMETRIC_DOSE.parse("--critical-dose", text)?,
-        None => job.spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
-            let material = job.spec.material.as_ref();
-            let has_networks = material.is_some_and(|m| m.photopolymer.is_some());
-            missing(
-                "--critical-dose",
-                match has_networks {
-                    true => {
-                        "at which dose the resin gels without inhibitors (each of its networks has one of its own)"
-                    }
-                    false => "at which dose the resin gels",
-                },
-                "a dose per volume, or resin.critical_dose_mj_per_mm3 in the job",
-            )
-        })?,
-    };
+    let critical = critical_dose(given, &job)?;
     let report = read_report(&given.run)?;
     // Several species have one exposure, where a dose makes all of them solid
     let together = &report["one_exposure"];
     let reported_percent = report["exposure"]["reported_percent"].as_f64();
-    // A gray target has no threshold of its own: that of its report belongs to the exposure that is reported
-    let of_gray = report["evaluation"]["gel_threshold"].as_f64();
-    let of_gray = of_gray.map(|dose| dose * reported_percent.unwrap_or(100.0) / 100.0);
-    let gel_doses = [
-        together["gel_dose"].as_f64(),
-        report["exposure"]["dose"]["best"].as_f64(),
-        of_gray,
-    ];
-    let gel_dose = gel_doses
-        .into_iter()
-        .flatten()
-        .next()
-        .filter(|dose| *dose > 0.0)
-        .ok_or_else(|| {
-            let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
-            Error::config("RUN", found, "a run that prints a part")
-        })?;
+    let gel_dose = gel_dose(&report)?;
     let window = [together, &report["exposure"]].map(|exposure| &exposure["percent"]);
     let window = window.into_iter().find(|percent| percent.is_object());
     let window = window.map(|window| Window {
@@ -177,6 +145,45 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         },
     );
     Ok(())
+}
+
+/// Dose at which the resin gels, mJ/mm³.
+fn critical_dose(given: &ExposeArguments, job: &Job) -> Result<f64> {
+    if let Some(text) = &given.critical_dose {
+        return VOLUMETRIC_DOSE.parse("--critical-dose", text);
+    }
+    job.spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
+        let material = job.spec.material.as_ref();
+        let has_networks = material.is_some_and(|m| m.photopolymer.is_some());
+        missing(
+            "--critical-dose",
+            match has_networks {
+                true => {
+                    "at which dose the resin gels without inhibitors (each of its networks has one of its own)"
+                }
+                false => "at which dose the resin gels",
+            },
+            "a dose per volume, or resin.critical_dose_mj_per_mm3 in the job",
+        )
+    })
+}
+
+/// The relative dose at which the part of a run gels.
+fn gel_dose(report: &Value) -> Result<f64> {
+    // A gray target has no threshold of its own: that of its report belongs to the exposure that is reported
+    let reported_percent = report["exposure"]["reported_percent"].as_f64();
+    let of_gray = report["evaluation"]["gel_threshold"].as_f64();
+    let of_gray = of_gray.map(|dose| dose * reported_percent.unwrap_or(100.0) / 100.0);
+    let gel_doses = [
+        report["one_exposure"]["gel_dose"].as_f64(),
+        report["exposure"]["dose"]["best"].as_f64(),
+        of_gray,
+    ];
+    let gel_dose = gel_doses.into_iter().flatten().next();
+    gel_dose.filter(|dose| *dose > 0.0).ok_or_else(|| {
+        let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
+        Error::config("RUN", found, "a run that prints a part")
+    })
 }
 
 /// What a plan says besides its numbers.
