@@ -285,7 +285,7 @@ impl Curves {
         )
     }
 
-    /// The moment at which the Jaccard index is largest, the first of several.
+    /// The moment at which the Jaccard index is largest, the first of several; None where nothing of the part is ever solid.
     #[must_use]
     pub fn best(&self) -> Option<&CurvePoint> {
         let mut best: Option<&CurvePoint> = None;
@@ -294,7 +294,7 @@ impl Curves {
                 best = Some(point);
             }
         }
-        best
+        best.filter(|point| point.jaccard > 0.0)
     }
 
     /// Where the phases end.

@@ -31,46 +31,66 @@ const HELD: f64 = 0.9;
 /// Bits from which patterns have levels enough to tell.
 const GRAY_BITS: u32 = 6;
 
-/// Warns of patterns that an upper bound of the job holds nearly everywhere.
-pub(crate) fn of_bound(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
-    let largest = job.bounds().max?;
+/// The first light whose pixels an upper bound of the job holds nearly everywhere, and the share of those that shine.
+fn held(job: &ResolvedJob, shown: &[Patterns]) -> Option<(usize, f64)> {
     let depth = job.evaluation().bit_depth;
     if job.bounds().bits.unwrap_or(depth).min(depth) < GRAY_BITS {
         return None;
     }
-    let values = || shown.iter().flat_map(|patterns| &patterns.values);
-    let shining = values().filter(|value| **value > 0.0).count();
-    let held = values()
-        .filter(|value| f64::from(**value) >= 0.999 * largest)
-        .count();
-    (shining > 0 && held as f64 > HELD * shining as f64).then(|| {
-        let largest = concise(largest);
-        let bound = match job.showing().allowed_s() {
-            Some(seconds) => format!("{largest}, as bright as printer.time_s = {} lets them be", exact(seconds)),
-            None => format!("bounds.max = {largest}"),
-        };
-        format!(
-            "{:.0} % of the pixels that shine are at {bound}: this bound says how large the dose is, and not the objective; raise it, or leave it out",
-            100.0 * held as f64 / shining as f64,
-        )
-    })
+    let of_light = |(i, patterns): (usize, &Patterns)| {
+        let largest = job.bounds_of(i).1?;
+        let shining = patterns.values.iter().filter(|value| **value > 0.0);
+        let [all, held] = shining.fold([0.0, 0.0], |[all, held], value| {
+            let is_held = f64::from(*value) >= 0.999 * largest;
+            [all + 1.0, held + f64::from(u8::from(is_held))]
+        });
+        (held > HELD * all).then(|| (i, held / all))
+    };
+    shown.iter().enumerate().find_map(of_light)
+}
+
+/// The key of the upper bound that holds a light nearly everywhere; None where none does.
+pub(crate) fn held_by(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
+    held(job, shown).map(|(i, _)| job.bound_key_of(i))
+}
+
+/// Warns of patterns that an upper bound of the job holds nearly everywhere.
+pub(crate) fn of_bound(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
+    let (i, share) = held(job, shown)?;
+    let (key, largest) = (job.bound_key_of(i), concise(job.bounds_of(i).1?));
+    let bound = match job.showing().allowed_s() {
+        Some(seconds) if key == "printer.time_s" => {
+            format!(
+                "{largest}, as bright as printer.time_s = {} lets them be",
+                exact(seconds)
+            )
+        }
+        _ => format!("{key} = {largest}"),
+    };
+    Some(format!(
+        "{:.0} % of the pixels that shine are at {bound}: this bound says how large the dose is, and not the objective; raise it, or leave it out",
+        100.0 * share,
+    ))
 }
 
 /// Warns of patterns that their lower bound holds nearly everywhere: a background of so much light is what prints.
 pub(crate) fn of_background(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
-    let least = job.bounds().min;
-    let values = || shown.iter().flat_map(|patterns| &patterns.values);
-    let lit = values().filter(|value| **value > 0.0).count();
-    let held = values()
-        .filter(|value| **value > 0.0 && f64::from(**value) <= 1.001 * least)
-        .count();
-    (least > 0.0 && held as f64 > HELD * lit as f64).then(|| {
-        format!(
-            "{:.0} % of the pixels are at bounds.min = {}: so much light goes through the void, too; lower it, if the projector can be darker",
-            100.0 * held as f64 / lit as f64,
-            concise(least)
-        )
-    })
+    let of_light = |(i, patterns): (usize, &Patterns)| {
+        let least = job.bounds_of(i).0;
+        let lit = patterns.values.iter().filter(|value| **value > 0.0);
+        let [all, held] = lit.fold([0.0, 0.0], |[all, held], value| {
+            let is_held = f64::from(*value) <= 1.001 * least;
+            [all + 1.0, held + f64::from(u8::from(is_held))]
+        });
+        (least > 0.0 && held > HELD * all).then(|| {
+            format!(
+                "{:.0} % of the pixels are at bounds.min = {}: so much light goes through the void, too; lower it, if the projector can be darker",
+                100.0 * held / all,
+                concise(least)
+            )
+        })
+    };
+    shown.iter().enumerate().find_map(of_light)
 }
 
 /// Warns of a threshold that all doses of part and void miss on the same side.
@@ -93,5 +113,47 @@ pub(crate) fn of_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> Option
         ))
     } else {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::tests::job_of;
+    use crate::models::Work;
+
+    #[test]
+    fn the_bound_that_holds_a_light_is_named() {
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [4, 1], angles = 1, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+        "#;
+        let key_of = |changes: &[&str], values: [f32; 4]| {
+            let job = ResolvedJob::under(&job_of(text, changes), &Work::new()).unwrap();
+            let patterns = Patterns {
+                grid: job.optics.lights[0].pixels.clone(),
+                values: values.to_vec(),
+            };
+            let key = held_by(&job, std::slice::from_ref(&patterns));
+            let warning = of_bound(&job, &[patterns]);
+            assert!(
+                key.as_ref()
+                    .is_none_or(|key| warning.is_some_and(|text| text.contains(key)))
+            );
+            key
+        };
+        let at_bound = [0.0, 0.5, 0.5, 0.5];
+        assert_eq!(key_of(&[], at_bound), None);
+        let both = |key: &str| key_of(&["bounds.max=0.5", key], at_bound);
+        assert_eq!(both("bounds.min=0").as_deref(), Some("bounds.max"));
+        assert_eq!(
+            both("light.bounds.max=0.5").as_deref(),
+            Some("light[0].bounds.max")
+        );
+        assert_eq!(both("light.bounds.max=0.7"), None);
+        assert_eq!(key_of(&["bounds.max=0.5"], [0.1, 0.5, 0.5, 0.5]), None);
     }
 }

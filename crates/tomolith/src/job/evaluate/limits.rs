@@ -1,7 +1,7 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
 use super::SpeciesPrint;
-use super::doubts::{of_background, of_bound};
+use super::doubts::{held_by, of_background};
 use crate::exposure::Printer;
 use crate::grid::Patterns;
 use crate::job::evaluate::{Evaluated, at_best_threshold, headline};
@@ -129,9 +129,7 @@ impl Asked<'_> {
                 start.is_some_and(|row| row.iteration == 0 && row.loss == 0.0)
             }),
             has_own_sub_angles: resolved.has_own_sub_angles(),
-            held_by: (self.optimized)
-                .filter(|optimized| of_bound(resolved, &optimized.raw).is_some())
-                .map(|_| resolved.showing().bound_key()),
+            held_by: (self.optimized).and_then(|optimized| held_by(resolved, &optimized.raw)),
             has_background: (self.optimized)
                 .is_some_and(|optimized| of_background(resolved, &optimized.raw).is_some()),
             best: at_best(evaluated),
@@ -151,9 +149,10 @@ impl Asked<'_> {
                 printer.dark_light() * f64::from(white),
             ]
         };
-        let all = printers.iter().zip(raw).map(of_light);
-        let brightest = all.max_by(|a, b| a[1].total_cmp(&b[1]))?;
-        (brightest[1] > self.resolved.bounds().min).then_some(brightest)
+        let all = printers.iter().zip(raw).map(of_light).enumerate();
+        let brightest = all.max_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]))?;
+        let (i, light) = brightest;
+        (light[1] > self.resolved.bounds_of(i).0).then_some(light)
     }
 
     /// Whether the loss had not come to rest; of the first species it is known whether that would have brought anything.
@@ -211,7 +210,7 @@ struct Measurements {
     /// Whether the job says at how many angles of a frame the optimization looks.
     has_own_sub_angles: bool,
     /// The key of the upper bound that holds nearly all pixels that shine; None where none does.
-    held_by: Option<&'static str>,
+    held_by: Option<String>,
     /// Whether the lower bound holds nearly all pixels.
     has_background: bool,
     /// The best number over all thresholds, where the job names one.
@@ -548,6 +547,10 @@ impl Measurements {
             let action = action("These are the patterns to begin with: raise");
             return ("stop.iterations".to_owned(), action);
         }
+        if let Some(key) = &self.held_by {
+            let action = action("Nearly all pixels that shine are at their bound: raise");
+            return (key.to_owned(), action);
+        }
         if self.has_few_angles {
             let action = action("Light comes from too few sides: raise");
             return ("light.angles".to_owned(), action);
@@ -555,10 +558,6 @@ impl Measurements {
         if self.has_background {
             let action = action("Nearly all pixels are as dark as their bound lets them be: lower");
             return ("bounds.min".to_owned(), action);
-        }
-        if let Some(key) = self.held_by {
-            let action = action("Nearly all pixels that shine are at their bound: raise");
-            return (key.to_owned(), action);
         }
         let light = self.pixel_light.as_ref();
         let of_light = light.map_or_else(String::new, |name| format!(" of {name}"));

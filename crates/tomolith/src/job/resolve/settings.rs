@@ -43,6 +43,14 @@ impl ResolvedJob {
         (of_light.min.unwrap_or(all.min), of_light.max.or(all.max))
     }
 
+    /// The key of a light's largest value.
+    pub(crate) fn bound_key_of(&self, light: usize) -> String {
+        match self.spec.light[light].bounds.max {
+            Some(_) => format!("light[{light}].bounds.max"),
+            None => self.showing().bound_key().to_owned(),
+        }
+    }
+
     /// When checkpoints are written.
     pub(crate) fn checkpoint(&self) -> &checkpoint::Params {
         &self.spec.checkpoint

@@ -412,7 +412,7 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
     ends(&few.limits().sentence, "To improve, raise `light.angles`.");
     let held = Measurements {
         has_few_angles: false,
-        held_by: Some("bounds.max"),
+        held_by: Some("bounds.max".to_owned()),
         ..few
     };
     ends(&held.limits().sentence, "To improve, raise `bounds.max`.");
