@@ -17,6 +17,8 @@ export interface Gel {
   /** The threshold of all numbers of the report; without a report the best one for the page's voxels. */
   reported: number;
   isOfReport: boolean;
+  /** Along how many voxels of the report each of the page's is a mean: volumes at other thresholds are counted in such means. */
+  reduced: number;
   /** The largest response. */
   high: number;
   histogram: Histogram | null;
@@ -68,6 +70,7 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
   return {
     reported,
     isOfReport: official !== null,
+    reduced: response?.info.reduced ?? 1,
     high: Math.max(high, given?.range?.[1] ?? 0, reported),
     histogram: given ? { low: given.range[0], high: given.range[1], part: given.part, void: given.void } : (counts?.histogram ?? null),
     curve,

@@ -30,6 +30,7 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
     const threshold = state.get("threshold") ?? gel.reported;
     const iou = gel.iou(threshold);
     const percent = gel.percent(threshold);
+    const counted = gel.isOfReport && gel.reduced > 1 && threshold !== gel.reported ? `, in means of ${gel.reduced}³ voxels` : "";
     slider.value = String(Math.round((threshold / gel.high) * STEPS));
     slider.setAttribute("aria-valuetext", `${significant(threshold, 3)}, IoU ${significant(iou, 3)}`);
     reset.disabled = state.get("threshold") === null;
@@ -38,8 +39,8 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
       ...row("Gel threshold", significant(threshold, 4), "dose at which the resin gels"),
       ...row("Exposure", percent === null ? "–" : `${significant(percent, 4)} %`, "of the best exposure"),
       ...row("IoU", significant(iou, 4), threshold !== gel.reported ? `${significant(gel.iou(gel.reported), 4)} ${known}` : known),
-      ...row("Too much", quantity(gel.tooMuch(threshold), "mm³"), "gels and should not", "--excess"),
-      ...row("Missing", quantity(gel.missing(threshold), "mm³"), "does not gel and should", "--missing"),
+      ...row("Too much", quantity(gel.tooMuch(threshold), "mm³"), `gels and should not${counted}`, "--excess"),
+      ...row("Missing", quantity(gel.missing(threshold), "mm³"), `does not gel and should${counted}`, "--missing"),
     );
   };
   const end = state.on(["threshold"], update);
