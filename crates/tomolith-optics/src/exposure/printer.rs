@@ -515,6 +515,13 @@ impl Printer {
         (!mask.is_open()).then_some(mask)
     }
 
+    /// The brightness of the darkest pixel that is not dead, where that of the brightest is 1.
+    #[must_use]
+    pub fn dimmest(&self) -> f64 {
+        let map = self.brightness.iter().flatten().copied();
+        f64::from(map.filter(|bright| *bright > 0.0).fold(1.0, f32::min))
+    }
+
     /// What a pixel gives at level 0, where white is 1.
     #[must_use]
     pub fn dark_light(&self) -> f64 {

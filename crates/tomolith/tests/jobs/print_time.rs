@@ -11,7 +11,11 @@ const PRINTER: &str = r#"
 
 /// The report of the job with a change.
 fn report(change: &str) -> Value {
-    let job = job_of(&[BALL, LIGHT, PRINTER].concat(), &[change]);
+    report_of(&[change])
+}
+
+fn report_of(changes: &[&str]) -> Value {
+    let job = job_of(&[BALL, LIGHT, PRINTER].concat(), changes);
     Finished::run(job.unwrap(), &mut Silent).report()
 }
 
@@ -31,6 +35,20 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     assert!(seconds(&late) > 41.0, "{}", seconds(&late));
     let warnings = late.to_string();
     tomolith_core::contains!(warnings, "s where printer.time_s allows 40 s");
+    // One half of the device gives 60 % of the other: what the bound allows there takes as much longer
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("flat.npy");
+    let flat = ndarray::Array2::from_shape_fn((16, 20), |(_, u)| if u < 10 { 1.0 } else { 0.6 });
+    ndarray_npy::write_npy(&file, &flat).unwrap();
+    let machine = format!("printer.flat_field={:?}", file.display().to_string());
+    let dimmed = report_of(&["evaluate.threshold=0.8", &machine]);
+    tomolith_core::near!(seconds(&dimmed), 40.0 / 0.6, 0.5);
+    let dimmed = dimmed.to_string();
+    tomolith_core::contains!(
+        dimmed,
+        "printer.flat_field dims pixels to 60 %",
+        "set printer.time_s = 24"
+    );
     // All that the machine has is too little: no shorter time helps, and no bound that the job does not name
     let dark = report("printer.time_s=2");
     // A fifth more than even light takes

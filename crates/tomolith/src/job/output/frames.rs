@@ -38,6 +38,8 @@ pub(crate) struct ShownLight {
     pub(crate) white: f32,
     pub(crate) canvas: Option<[usize; 2]>,
     pub(crate) budget: Budget,
+    /// Its machine's darkest pixel over the brightest.
+    dimmest: f64,
     /// How bright the job's schedule shows it.
     pub(crate) irradiance: Option<Irradiance>,
 }
@@ -62,6 +64,12 @@ impl<'a> Shown<'a> {
         let asked = self.showing.allowed_s()?;
         let times = self.lights.iter().map(|light| light.budget.time_s);
         let found: f64 = times.sum::<Option<f64>>()?;
+        let dimmest = self
+            .lights
+            .iter()
+            .map(|light| light.dimmest)
+            .fold(1.0, f64::min);
+        let is_dimmed = dimmest < 1.0 && found * dimmest < asked * (1.0 + OVERRUN);
         (found > asked * (1.0 + OVERRUN)).then(|| {
             let [times, longer] = [found / asked, found].map(|least| significant(HEADROOM * least, 3));
             let [found, lower] = [found, asked * asked / found].map(|seconds| significant(seconds, 3));
@@ -70,6 +78,13 @@ impl<'a> Shown<'a> {
                 return format!(
                     "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels that shine are as bright as they may be. \
                      Light that even gives the part no shape. Set printer.time_s = {longer}, or use a projector that is {times} times as bright (printer.peak_irradiance_mw_per_cm2)"
+                );
+            }
+            if is_dimmed {
+                return format!(
+                    "the print takes {found} s where printer.time_s allows {asked} s: printer.flat_field dims pixels to {} % of the brightest one, which the bound of the \
+                     pixels was made for. After {asked} s parts are softer than predicted: set printer.time_s = {lower}",
+                    significant(100.0 * dimmest, 3)
                 );
             }
             format!(
@@ -106,6 +121,7 @@ impl<'a> Shown<'a> {
                 white: frames.full_scale,
                 canvas: printer.map(|_| [grid.columns, grid.rows]),
                 budget,
+                dimmest: printer.map_or(1.0, Printer::dimmest),
                 irradiance,
             })
         };

@@ -105,8 +105,8 @@ use optics::Optics;
 use property::PropertyMap;
 use refinement::{Asked, Level};
 use remarks::{
-    below_gel, chosen, far_threshold, few_angles, given_patterns, large_critical_dose, narrow_arc,
-    on_its_own_grid, part_of_a_turn, two_critical_doses,
+    below_gel, chosen, far_threshold, few_angles, given_patterns, large_critical_dose,
+    lost_reflections, narrow_arc, on_its_own_grid, part_of_a_turn, two_critical_doses,
 };
 use resources::{available_disk_mb, bytes_in, require};
 use scenarios::Scenario;
@@ -484,6 +484,7 @@ fn must_be_lit(
         few_angles(spec).into_iter().collect(),
         narrow_arc(spec).into_iter().collect(),
         part_of_a_turn(spec).into_iter().collect(),
+        lost_reflections(spec, optics).into_iter().collect(),
         optics.dark_inside(),
         optics.of_meshes.clone(),
         optics.through_walls(),

@@ -9,11 +9,13 @@ use crate::grid::VolumeGrid;
 use crate::io::npy::read_patterns;
 use crate::job::spec::{Angles, JobSpec, LightSpec};
 use crate::optics::light::Light;
+use crate::optics::vial::Medium;
 use crate::optimize::Keep;
 use crate::optimize::start::given::OfFile;
 use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::{concise, exact};
+use serde_json::Value;
 use std::collections::BTreeSet;
 use tomolith_material::photopolymer::Curing;
 
@@ -239,6 +241,39 @@ pub(crate) fn narrow_arc(spec: &JobSpec) -> Option<String> {
         format!(
             "light.angles: light comes from an arc of {}°, so edges along which no light runs stay blurred; use half a turn or more",
             significant(arc as f64 / 1e3, 3)
+        )
+    })
+}
+
+/// Share of the resin's refractive index below which what is in the resin reflects a part of the light totally that is felt.
+const REFLECTING: f64 = 0.99;
+
+/// Warns of a tube in the resin that reflects light totally, where the model drops that light.
+pub(crate) fn lost_reflections(spec: &JobSpec, optics: &Optics) -> Option<String> {
+    let walls = optics.vial.walls();
+    let in_resin = walls.iter().skip_while(|wall| wall.inside != Medium::Resin);
+    let indices = in_resin.filter_map(|wall| match wall.inside {
+        Medium::Clear(index) => Some(index),
+        _ => None,
+    });
+    let least = indices.reduce(f64::min)?;
+    let resins = optics
+        .lights
+        .iter()
+        .map(|light| light.resin.refractive_index);
+    let resin = resins.fold(0.0, f64::max);
+    let mut kinds = spec
+        .model
+        .iter()
+        .filter_map(Value::as_object)
+        .flat_map(|kind| kind.values());
+    let follows = kinds.any(|kind| kind["reflections"] == true);
+    (least < REFLECTING * resin && !follows).then(|| {
+        format!(
+            "the tube in the resin reflects light totally, since light refracts less in it ({}) than in the resin ({}), and the model drops that light: the resin gets more dose than \
+             predicted (6 % in example 04) and gels earlier. [model.rays] with reflections = true follows it",
+            concise(least),
+            concise(resin)
         )
     })
 }

@@ -67,6 +67,28 @@ fn light_from_less_than_half_a_turn_is_told() {
 }
 
 #[test]
+fn a_tube_that_reflects_totally_is_told() {
+    use super::optics::Optics;
+    use super::optics::tests::spec;
+    use super::remarks::lost_reflections;
+    let remark_of = |core: f64, model: &str| {
+        let vial = format!(
+            "vial={{ double_tube = {{ outer_radius_mm = 7.0, resin_outer_radius_mm = 6.0, resin_inner_radius_mm = 3.0, inner_radius_mm = 2.5, \
+             outer_refractive_index = 1.5, inner_refractive_index = 1.5, core_refractive_index = {core} }} }}"
+        );
+        let spec = spec(&[&vial, model]);
+        lost_reflections(&spec, &Optics::new(&spec, Path::new("")).unwrap())
+    };
+    let found = remark_of(1.33, "model={ rays = {} }").unwrap();
+    assert!(found.contains("reflects light totally"), "{found}");
+    assert_eq!(
+        remark_of(1.33, "model={ rays = { reflections = true } }"),
+        None
+    );
+    assert_eq!(remark_of(1.6, "model={ rays = {} }"), None);
+}
+
+#[test]
 fn a_threshold_in_percent_is_told() {
     use super::optics::tests::spec;
     use super::remarks::far_threshold;
