@@ -851,7 +851,7 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
         let z = origin.split(['"', ' ']).nth(2).unwrap();
         z.parse::<f64>().unwrap()
     };
-    let note = "the grid is moved up by 0.05 mm, so that its slices lie on rows of pixels";
+    let note = "the grid is moved up by 0.05 mm, so that a slice begins where a row of pixels does";
     // Eighteen slices lie on an even number of rows; on 25 rows they move by half of one
     for (folder, settings, place) in [
         ("even", "", 0.0),

@@ -164,7 +164,7 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Writ
     Ok((written, notes))
 }
 
-/// Patterns of an array: with a machine they are what is wanted, else what is shown.
+/// Patterns of an array: with a machine they are what is wanted, else what is shown, by levels of the job's bit depth as its frames have them.
 fn of_patterns(
     job: &ResolvedJob,
     shown: Vec<Patterns>,
@@ -176,12 +176,16 @@ fn of_patterns(
         return Written::of_raw(raw.unwrap_or(shown), job);
     }
     let bits = job.evaluation().bit_depth;
-    let frames = shown
+    let frames: Vec<Quantized> = shown
         .iter()
         .map(|patterns| work.check().and_then(|()| quantize(patterns, bits)))
         .collect::<Result<_>>()?;
+    let of_levels = frames.iter().map(Quantized::patterns).collect();
+    let of_levels = with_background(job, of_levels, &shown);
+    // Those of a run are on levels already
+    let raw = raw.or_else(|| (of_levels != shown).then_some(shown));
     Ok(Written {
-        shown,
+        shown: of_levels,
         raw,
         frames: Some(frames),
     })
@@ -338,7 +342,16 @@ mod tests {
         assert_eq!(frames[0].values, [0, 0, 1, 3]);
         let lit = all_lit(&resolved);
         let shown = with_background(&resolved, vec![frames[0].patterns()], &lit);
-        // Frames alone tell the same
+        // Frames alone tell the same, and patterns on levels stay what they are
         assert_eq!(shown, written.shown);
+        let again = of_patterns(&resolved, shown.clone(), None, &Work::new()).unwrap();
+        assert_eq!((&again.shown, &again.raw), (&shown, &None));
+        // Those of an array are what its frames show
+        let between = vec![Patterns {
+            values: vec![0.0, 0.1, 0.6, 3.0],
+            ..shown[0].clone()
+        }];
+        let array = of_patterns(&resolved, between.clone(), None, &Work::new()).unwrap();
+        assert_eq!((array.shown, array.raw), (shown, Some(between)));
     }
 }

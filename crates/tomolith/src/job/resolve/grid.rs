@@ -73,7 +73,7 @@ pub(crate) fn moved(moved_mm: f64) -> Option<String> {
     let way = if moved_mm > 0.0 { "up" } else { "down" };
     (moved_mm != 0.0).then(|| {
         format!(
-            "the grid is moved {way} by {} mm, so that its slices lie on rows of pixels (grid.on_rows = false turns this off)",
+            "the grid is moved {way} by {} mm, so that a slice begins where a row of pixels does (grid.on_rows = false turns this off)",
             concise(moved_mm.abs())
         )
     })
@@ -86,8 +86,8 @@ pub(crate) fn moved(moved_mm: f64) -> Option<String> {
 /// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
 /// target (`[low, high]` along z, mm) stays where it is, as does one whose slices and rows share no other edge.
 pub(crate) fn on_rows(grid: VolumeGrid, rows: &PatternGrid, target: [f64; 2]) -> VolumeGrid {
-    let ratio = rows.pitch_mm[1] / grid.pitch_mm;
-    let ratio = ratio.max(1.0 / ratio);
+    // Slices that are higher than rows are means of several anyway
+    let ratio = (rows.pitch_mm[1] / grid.pitch_mm).max(1.0);
     let drift = (ratio - ratio.round()).abs() / ratio * grid.shape[0] as f64;
     if drift > MOST_DRIFT {
         return grid;
