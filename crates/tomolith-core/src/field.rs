@@ -45,6 +45,7 @@ pub mod counter;
 pub(crate) mod group;
 pub mod half_ramp;
 mod pairs;
+pub mod scratch;
 
 use crate::error::Result;
 use crate::parallel::InParallel;

@@ -18,6 +18,7 @@ use crate::several::Several;
 pub use crate::several::SharedModel;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::field::scratch::Scratch;
 
 /// The first model and how the dose may differ from it. Each model has one output, on the same voxels, and lights of the same pixels.
 ///
@@ -55,6 +56,7 @@ pub fn joined(first: SharedModel, others: Vec<HostModel>) -> Result<Several> {
             .collect()
     };
     Ok(Several {
+        scratch: Scratch::default(),
         matrix: (0..models.len()).map(one).collect(),
         lit: vec![0..models[0].patterns().len(); models.len()],
         patterns: models[0].patterns().to_vec(),

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
+use tomolith_core::field::scratch::Scratch;
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::parallel::InParallel;
 
@@ -26,12 +27,20 @@ pub struct Several {
     /// Which of the joint lights each model has.
     pub(crate) lit: Vec<Range<usize>>,
     pub(crate) describe: fn(&Several) -> String,
+    /// The dose of a model.
+    pub(crate) scratch: Scratch,
 }
 
 /// sum += m·v
 fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
     let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
     blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
+}
+
+/// sum ← 0 + m·v
+fn set_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
+    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
+    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s = 0.0 + m * v));
 }
 
 impl Several {
@@ -103,10 +112,54 @@ impl Several {
         }
     }
 
+    /// doses ← M q of all models, each of which writes its q.
+    fn join(
+        &self,
+        doses: &mut HostField,
+        mut write: impl FnMut(usize, &mut HostField) -> Result<()>,
+    ) -> Result<()> {
+        let mut is_new = vec![true; self.outputs.len()];
+        self.scratch.lend(self.dose_len(), |q| {
+            for k in 0..self.models.len() {
+                write(k, q)?;
+                for ((layout, row), is_new) in
+                    self.outputs.iter().zip(&self.matrix).zip(&mut is_new)
+                {
+                    let output = &mut doses.as_mut_slice()[layout.range()];
+                    match (
+                        row[k] != 0.0,
+                        std::mem::replace(is_new, *is_new && row[k] == 0.0),
+                    ) {
+                        (true, true) => set_scaled(output, row[k], q.as_slice()),
+                        (true, false) => add_scaled(output, row[k], q.as_slice()),
+                        (false, _) => {}
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        let undriven = self
+            .outputs
+            .iter()
+            .zip(is_new)
+            .filter(|(_, is_new)| *is_new);
+        undriven.for_each(|(layout, _)| doses.as_mut_slice()[layout.range()].fill(0.0));
+        Ok(())
+    }
+
+    /// Elements of the dose of a model.
+    fn dose_len(&self) -> usize {
+        self.outputs[0].range().len()
+    }
+
     /// c ← M_·kᵀ cotangent
     fn split(&self, k: usize, cotangent: &HostField, c: &mut HostField) {
-        c.fill(0.0);
-        for (range, m) in self.driven(k) {
+        let mut driven = self.driven(k);
+        match driven.next() {
+            Some((range, m)) => set_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]),
+            None => c.fill(0.0),
+        }
+        for (range, m) in driven {
             add_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]);
         }
     }
@@ -141,13 +194,9 @@ impl DoseModel for Several {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
-        dose.fill(0.0);
-        let mut q = self.models[0].new_dose()?;
-        for (k, model) in self.models.iter().enumerate() {
-            model.dose(&self.shown(k, x)?, &mut q, &self.part(work))?;
-            self.add(k, &q, dose);
-        }
-        Ok(())
+        self.join(dose, |k, q| {
+            self.models[k].dose(&self.shown(k, x)?, q, &self.part(work))
+        })
     }
 
     fn dose_of(
@@ -157,13 +206,14 @@ impl DoseModel for Several {
         dose: &mut HostField,
         work: &Work,
     ) -> Result<()> {
-        let mut q = self.models[0].new_dose()?;
-        for (k, local) in self.parts(&frames) {
-            q.fill(0.0);
-            self.models[k].dose_of(local, &self.shown(k, x)?, &mut q, &self.part(work))?;
-            self.add(k, &q, dose);
-        }
-        Ok(())
+        self.scratch.lend(self.dose_len(), |q| {
+            for (k, local) in self.parts(&frames) {
+                q.fill(0.0);
+                self.models[k].dose_of(local, &self.shown(k, x)?, q, &self.part(work))?;
+                self.add(k, q, dose);
+            }
+            Ok(())
+        })
     }
 
     fn pullback_of(
@@ -177,15 +227,16 @@ impl DoseModel for Several {
         for (range, _) in elements_of(&self.patterns, &frames) {
             grad.as_mut_slice()[range].fill(0.0);
         }
-        let mut c = self.models[0].new_dose()?;
-        for (k, local) in self.parts(&frames) {
-            self.split(k, cotangent, &mut c);
-            let (model, part) = (&self.models[k], self.part(work));
-            let mut back = model.new_patterns()?;
-            model.pullback_of(local, &self.shown(k, x)?, &c, &mut back, &part)?;
-            self.gather(k, &back, grad);
-        }
-        Ok(())
+        self.scratch.lend(self.dose_len(), |c| {
+            for (k, local) in self.parts(&frames) {
+                self.split(k, cotangent, c);
+                let (model, part) = (&self.models[k], self.part(work));
+                let mut back = model.new_patterns()?;
+                model.pullback_of(local, &self.shown(k, x)?, c, &mut back, &part)?;
+                self.gather(k, &back, grad);
+            }
+            Ok(())
+        })
     }
 
     /// The joint dose, power by power; None where one of the models has none.

@@ -27,6 +27,7 @@
 use crate::several::{Several, SharedModel};
 use crate::{DoseLayout, HostModel, PatternLayout};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::field::scratch::Scratch;
 
 /// The doses of `species` (name, row of M) by models of one light each.
 ///
@@ -83,6 +84,7 @@ pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<S
     let rows = species.iter();
     let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
     Ok(Several {
+        scratch: Scratch::default(),
         matrix: matrix.collect(),
         lit: (0..lights.len()).map(|light| light..light + 1).collect(),
         models: lights.into_iter().map(SharedModel::from).collect(),

@@ -17,7 +17,9 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::scratch::Scratch;
+use tomolith_core::field::{BLOCK, HostField};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Response;
 
 /// How the losses of blocks become one.
@@ -65,6 +67,8 @@ impl Join {
 pub struct PerBlock {
     parts: Vec<(Range<usize>, Box<dyn Objective<HostField>>)>,
     join: Join,
+    /// Copies of blocks, and slopes.
+    scratch: Scratch,
 }
 
 impl PerBlock {
@@ -75,18 +79,34 @@ impl PerBlock {
         PerBlock {
             parts: parts.map(|(layout, o)| (layout.range(), o)).collect(),
             join,
+            scratch: Scratch::default(),
         }
+    }
+
+    /// What comes of a block of a field.
+    fn of_block<R>(
+        &self,
+        field: &HostField,
+        range: &Range<usize>,
+        with: impl FnOnce(&HostField) -> R,
+    ) -> R {
+        self.scratch.lend(range.len(), |block| {
+            copy(block.as_mut_slice(), &field.as_slice()[range.clone()]);
+            with(block)
+        })
     }
 }
 
-fn block(field: &HostField, range: &Range<usize>) -> HostField {
-    HostField::from_slice(&field.as_slice()[range.clone()])
+fn copy(to: &mut [f32], from: &[f32]) {
+    let blocks = to.chunks_mut(BLOCK).zip(from.chunks(BLOCK));
+    blocks.par_each(|(to, from)| to.copy_from_slice(from));
 }
 
 impl Objective<HostField> for PerBlock {
     fn value(&self, dose: &HostField) -> f64 {
-        let value =
-            |(range, part): &(_, Box<dyn Objective<HostField>>)| part.value(&block(dose, range));
+        let value = |(range, part): &(_, Box<dyn Objective<HostField>>)| {
+            self.of_block(dose, range, |dose| part.value(dose))
+        };
         let losses: Vec<f64> = self.parts.iter().map(value).collect();
         self.join.value_and_slopes(&losses).0
     }
@@ -95,10 +115,13 @@ impl Objective<HostField> for PerBlock {
     fn value_and_gradient(&self, dose: &HostField, grad: &mut HostField) -> f64 {
         let mut losses = Vec::with_capacity(self.parts.len());
         for (range, part) in &self.parts {
-            let values = block(dose, range);
-            let mut slope = values.zeros_like();
-            losses.push(part.value_and_gradient(&values, &mut slope));
-            grad.as_mut_slice()[range.clone()].copy_from_slice(slope.as_slice());
+            losses.push(self.of_block(dose, range, |dose| {
+                self.scratch.lend(range.len(), |slope| {
+                    let loss = part.value_and_gradient(dose, slope);
+                    copy(&mut grad.as_mut_slice()[range.clone()], slope.as_slice());
+                    loss
+                })
+            }));
         }
         let (loss, slopes) = self.join.value_and_slopes(&losses);
         for ((range, _), slope) in self.parts.iter().zip(slopes) {
@@ -112,7 +135,9 @@ impl Objective<HostField> for PerBlock {
 
     fn slope_along(&self, dose: &HostField, step: &HostField, alpha: f32) -> (f64, f64) {
         let along = |(range, part): &(Range<usize>, Box<dyn Objective<HostField>>)| {
-            part.slope_along(&block(dose, range), &block(step, range), alpha)
+            self.of_block(dose, range, |dose| {
+                self.of_block(step, range, |step| part.slope_along(dose, step, alpha))
+            })
         };
         let (losses, rises): (Vec<f64>, Vec<f64>) = self.parts.iter().map(along).unzip();
         let (loss, slopes) = self.join.value_and_slopes(&losses);
@@ -132,7 +157,7 @@ impl Objective<HostField> for PerBlock {
     /// That of the first block: the first species, or the job as it is.
     fn window(&self, dose: &HostField) -> Option<FoundWindow> {
         let (range, part) = self.parts.first()?;
-        part.window(&block(dose, range))
+        self.of_block(dose, range, |dose| part.window(dose))
     }
 }
 

@@ -195,7 +195,7 @@ impl Parallel {
         let plan = entries.plan;
         let wide = Wide::of(plan);
         let groups = repeated(&seen.views, plan.turned.period);
-        let mut lanes = self.borrow_scratch(wide.of_all());
+        let mut lanes = self.scratch.borrow(wide.of_all());
         self.expand_parts(light, wide, seen, x, lanes.as_mut_slice());
         let source = Source {
             entries,
@@ -211,7 +211,7 @@ impl Parallel {
             self.add_turned(plan, tiles, index, rows, chosen, desk);
         });
         drop(source);
-        self.return_scratch(lanes);
+        self.scratch.give_back(lanes);
         work.check()
     }
 
@@ -434,7 +434,7 @@ impl Parallel {
         // Few long chunks turn the cotangent less often; the result does not depend on their length
         let chunks = (4 * rayon::current_num_threads()).div_ceil(bands);
         let chunk = groups.len().div_ceil(chunks).max(1);
-        let mut lanes = self.borrow_scratch(bands * len);
+        let mut lanes = self.scratch.borrow(bands * len);
         let mut tasks = Vec::new();
         for (band, mut rest) in lanes.as_mut_slice().chunks_mut(len).enumerate() {
             let mut end = 0;
@@ -474,9 +474,9 @@ impl Parallel {
         let frames = plan.views.frames_of(seen);
         let lanes_of = |slot: usize| &sum[wide.of_slot(slot)];
         plan.collect(&self.patterns[light], frames, lanes_of, grad);
-        self.return_scratch(lanes);
+        self.scratch.give_back(lanes);
         if let Some(of_rows) = of_rows {
-            self.return_scratch(of_rows);
+            self.scratch.give_back(of_rows);
         }
         work.check()
     }

@@ -107,12 +107,13 @@ pub use radon::Kernel;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 use tiles::{TILE, Tile, TileEntries};
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Regions, Space};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::HostField;
+use tomolith_core::field::scratch::Scratch;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
@@ -234,7 +235,7 @@ pub struct Parallel {
     kernel: Kernel,
     path: KernelPath,
     /// Lanes of pixels, reused between calls.
-    scratch: Mutex<Vec<HostField>>,
+    scratch: Scratch,
     updates: OnceLock<u64>,
     /// How entries are found; those of each light; the single entries of a slice that are stored.
     finding: Finding,
@@ -336,7 +337,7 @@ impl Parallel {
             orbits,
             kernel,
             path: KernelPath::of(Isa::in_use()),
-            scratch: Mutex::new(Vec::new()),
+            scratch: Scratch::default(),
             updates: OnceLock::new(),
         })
     }
@@ -376,19 +377,6 @@ impl Parallel {
         self.output.row == 1
     }
 
-    fn borrow_scratch(&self, len: usize) -> HostField {
-        let mut pool = self.scratch.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = pool.iter().position(|f| f.len() == len);
-        found.map_or_else(|| HostField::zeros(len), |i| pool.swap_remove(i))
-    }
-
-    fn return_scratch(&self, field: HostField) {
-        self.scratch
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(field);
-    }
-
     /// dose += light of these views of one light.
     fn add_light(
         &self,
@@ -423,7 +411,7 @@ impl Parallel {
     fn of_rows(&self, plan: &LightPlan, cotangent: &[f32]) -> Option<HostField> {
         plan.levels.spread.as_ref().map(|spread| {
             let columns = cotangent.len() / self.output.row;
-            let mut of_rows = self.borrow_scratch(columns * plan.levels.row);
+            let mut of_rows = self.scratch.borrow(columns * plan.levels.row);
             spread.collect(cotangent, &mut of_rows);
             of_rows
         })

@@ -55,13 +55,13 @@ impl Parallel {
         work: &Work,
     ) -> Result<()> {
         let plan = &self.lights[light];
-        let mut pixels = self.borrow_scratch(plan.lit.len());
+        let mut pixels = self.scratch.borrow(plan.lit.len());
         let layout = &self.patterns[light];
         plan.expand(layout, seen, x, pixels.as_mut_slice());
         let values = pixels.as_slice();
         let beams = plan.beams_of(seen.views.clone());
         let stride = UniformStrips::stride(plan.columns);
-        let mut sources = self.borrow_scratch(beams.len() * stride);
+        let mut sources = self.scratch.borrow(beams.len() * stride);
         sources
             .as_mut_slice()
             .chunks_mut(stride)
@@ -114,8 +114,8 @@ impl Parallel {
                     }
                 }
             });
-        self.return_scratch(sources);
-        self.return_scratch(pixels);
+        self.scratch.give_back(sources);
+        self.scratch.give_back(pixels);
         work.check()
     }
 
@@ -129,7 +129,7 @@ impl Parallel {
         work: &Work,
     ) -> Result<()> {
         let (plan, views) = (&self.lights[light], &seen.views);
-        let mut pixels = self.borrow_scratch(plan.lit.len());
+        let mut pixels = self.scratch.borrow(plan.lit.len());
         // Few long chunks read the cotangent less often; the result does not depend on their length
         let chunk = views
             .len()
@@ -155,7 +155,7 @@ impl Parallel {
         let layout = &self.patterns[light];
         let lanes_of = |slot: usize| &pixels.as_slice()[slot..=slot];
         plan.collect(layout, frames, lanes_of, grad);
-        self.return_scratch(pixels);
+        self.scratch.give_back(pixels);
         work.check()
     }
 }

@@ -231,7 +231,7 @@ impl Regions<HostField> for Parallel {
     fn bounds(&self, x: &HostField, step: &HostField, work: &Work) -> Result<Vec<f32>> {
         let plan = self.the_plan();
         let pooled = Wide::of(plan).pooled();
-        let mut lanes = self.borrow_scratch(pooled.of_all());
+        let mut lanes = self.scratch.borrow(pooled.of_all());
         self.expand_bounds(pooled, x.as_slice(), step.as_slice(), lanes.as_mut_slice());
         let source = Source {
             entries: self.entries(0, work)?,
@@ -262,7 +262,7 @@ impl Regions<HostField> for Parallel {
         };
         self.each_orbit(&source, of_tiles, work, raise);
         drop(source);
-        self.return_scratch(lanes);
+        self.scratch.give_back(lanes);
         work.check()?;
         Ok(bounds)
     }

@@ -8,6 +8,7 @@ use super::*;
 use crate::selection;
 use tomolith_core::check::{self, difference};
 use tomolith_core::dose::DoseModel;
+use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, Patterns, Volume};
 use tomolith_core::near;
 use tomolith_optics::resin::Resin;
