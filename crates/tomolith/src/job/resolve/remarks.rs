@@ -270,8 +270,8 @@ pub(crate) fn lost_reflections(spec: &JobSpec, optics: &Optics) -> Option<String
     let follows = kinds.any(|kind| kind["reflections"] == true);
     (least < REFLECTING * resin && !follows).then(|| {
         format!(
-            "the tube in the resin reflects light totally, since light refracts less in it ({}) than in the resin ({}), and the model drops that light: the resin gets more dose than \
-             predicted (6 % in example 04) and gels earlier. [model.rays] with reflections = true follows it",
+            "the tube in the resin reflects light totally: its refractive index is {}, that of the resin {}. The model drops that light, so the resin gets more dose than \
+             predicted and gels earlier (in example 04 by 6 %). [model.rays] with reflections = true follows it",
             concise(least),
             concise(resin)
         )
