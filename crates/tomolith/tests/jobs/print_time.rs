@@ -63,3 +63,16 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     );
     assert!(!dark.contains("bounds.max ="), "{dark}");
 }
+
+#[test]
+fn a_print_of_few_turns_is_warned_of() {
+    let text = "turns of the vial: it ends within a turn";
+    let at = |rpm: &str| report_of(&["evaluate.threshold=0.8", rpm]).to_string();
+    // A little less than 40 s: 180 s at one turn a minute are three turns
+    tomolith_core::contains!(
+        at("output.rpm=1"),
+        text,
+        "output.rpm = 5 or more takes three turns"
+    );
+    assert!(!at("output.rpm=5").contains(text));
+}

@@ -200,6 +200,9 @@ pub fn export(
         .collect();
     let gel_dose = gel_dose(job, run, progress)?;
     let shown = Shown::new(showing, printers.as_deref(), &frames, gel_dose)?;
+    for text in shown.warnings(false) {
+        progress.event(&Event::Warning { text });
+    }
     let part = spec.target.name();
     make_parent(folder)?;
     let written = write_folder_whole(folder, |aside| {

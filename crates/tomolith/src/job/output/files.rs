@@ -85,8 +85,8 @@ pub(crate) fn all(
     let gel_dose = evaluated.gel_dose(resolved);
     let printers = resolved.printers.as_deref();
     let shown = Shown::new(resolved.showing(), printers, &frames, gel_dose)?;
-    let overrun = shown.overrun(of_bound(resolved, &patterns.shown).is_some());
-    if let Some(text) = overrun.clone() {
+    let of_time = shown.warnings(of_bound(resolved, &patterns.shown).is_some());
+    for text in of_time.clone() {
         progress.event(&Event::Warning { text });
     }
     let properties = properties(resolved, evaluated);
@@ -111,7 +111,7 @@ pub(crate) fn all(
             work,
         )?,
     }
-    made.warnings.extend(overrun);
+    made.warnings.extend(of_time);
     if done.leaves == Leaves::All {
         write_time(done, &new, progress, &mut made.warnings, work)?;
         work.check()?;

@@ -31,6 +31,12 @@ const OVERRUN: f64 = 0.005;
 /// What a print takes at least, times this, leaves pixels room to differ: a gear in even light (IoU 0.58) has 0.71 with no room, 0.90 with a tenth, 0.91 with a fifth.
 const HEADROOM: f64 = 1.2;
 
+/// Turns below which it shows that a print ends within one: some sides have then shone a half more often than others.
+const FEW_TURNS: f64 = 3.0;
+
+/// Turns a minute that throw no resin about.
+const FASTEST_RPM: f64 = 60.0;
+
 /// How one light is shown.
 #[derive(Clone, Copy)]
 pub(crate) struct ShownLight {
@@ -59,8 +65,35 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// Warns of a print that takes longer than the job allows; `is_held`: nearly all pixels are as bright as they may be.
-    pub(crate) fn overrun(&self, is_held: bool) -> Option<String> {
+    /// What people should know of the time to print; `is_held`: nearly all pixels are as bright as they may be.
+    pub(crate) fn warnings(&self, is_held: bool) -> Vec<String> {
+        let few_turns = self.lights.iter().find_map(|light| self.few_turns(light));
+        self.overrun(is_held).into_iter().chain(few_turns).collect()
+    }
+
+    /// Warns of a print that ends before the vial has turned a few times, which no schedule counts on.
+    fn few_turns(&self, light: &ShownLight) -> Option<String> {
+        let budget = light.budget;
+        let turns = budget.turns.filter(|turns| *turns < FEW_TURNS)?;
+        if light.irradiance.is_some() {
+            return None;
+        }
+        let enough = self.showing.rpm() * FEW_TURNS / turns;
+        let advice = if enough <= FASTEST_RPM {
+            format!("output.rpm = {} or more takes three turns", enough.ceil())
+        } else {
+            "a lower printer.peak_irradiance_mw_per_cm2 takes more turns".to_owned()
+        };
+        Some(format!(
+            "the print takes {} s, {} turns of the vial: it ends within a turn, so some sides have shone more often than others, and the part comes out uneven. \
+             {advice}; `tomolith expose` plans whole turns",
+            significant(budget.time_s?, 3),
+            significant(turns, 3)
+        ))
+    }
+
+    /// Warns of a print that takes longer than the job allows.
+    fn overrun(&self, is_held: bool) -> Option<String> {
         let asked = self.showing.allowed_s()?;
         let times = self.lights.iter().map(|light| light.budget.time_s);
         let found: f64 = times.sum::<Option<f64>>()?;
