@@ -3,8 +3,9 @@
 //! **Equation** dose = Σ_a K_a F_a(x), a: arcs of frames, each with the multiplier of the times at which it shines,
 //!
 //! ```text
-//! K(k) = Σ_m w_m ⟨e^(−Dk²(T − t))⟩_m        Σ w_m = 1, mean over exposure m; even over T: (1 − e^(−Dk²T))/(Dk²T)
+//! K(k) = Σ_m w_m ⟨e^(−Dk²(T − t))⟩_m        mean over exposure m; even over T: (1 − e^(−Dk²T))/(Dk²T)
 //! ```
+//! with Σ w_m the energy of a frame over that of its light's frames on average (1 in whole turns; 4/3 and 2/3 after 1.5 turns),
 //! and k the modes of a box with no flux through its walls ([`spectral`](crate::diffusion::spectral)). K is symmetric, so the derivative's transpose is
 //! F′ᵀK. Linear where F is; a line polynomial of F stays one.
 //!
@@ -27,7 +28,7 @@ use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::units::exact;
 
-/// A span of even light, counted back from the end, s; its share of the energy.
+/// A span of even light, counted back from the end, s; its share of the energy of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     /// How long before the end it ends, s.
@@ -79,8 +80,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         let mut all: Vec<(Range<usize>, Vec<Span>)> = Vec::new();
         let mut first = 0;
         for (light, &frames) in of_lights.iter().enumerate() {
-            let arcs = arcs.clamp(1, frames.max(1));
-            let cuts: Vec<usize> = (0..=arcs).map(|i| i * frames / arcs).collect();
+            let cuts = cuts(&schedule.energies(light), arcs);
             for cut in cuts.windows(2) {
                 let spans = spans_of_frames(schedule, light, cut[0]..cut[1])?;
                 match all.last_mut() {
@@ -173,7 +173,22 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
     }
 }
 
-/// When neighboring frames of a light shine.
+/// Where arcs of frames with these energies begin and end: so many of equal length, and wherever the energy changes, as it does within a broken turn.
+fn cuts(energies: &[f64], arcs: usize) -> Vec<usize> {
+    let frames = energies.len();
+    let arcs = arcs.clamp(1, frames.max(1));
+    let changes = |i: usize| {
+        let [before, after] = [energies[i - 1], energies[i]];
+        (before - after).abs() > 1e-9 * before.max(after)
+    };
+    let mut cuts: Vec<usize> = (0..=arcs).map(|i| i * frames / arcs).collect();
+    cuts.extend((1..frames).filter(|i| changes(*i)));
+    cuts.sort_unstable();
+    cuts.dedup();
+    cuts
+}
+
+/// When neighboring frames of a light shine, all with the same energy.
 fn spans_of_frames(schedule: &Schedule, light: usize, frames: Range<usize>) -> Result<Vec<Span>> {
     let exposures = schedule.exposures().iter();
     let chosen: Vec<&Exposure> = exposures
@@ -182,15 +197,22 @@ fn spans_of_frames(schedule: &Schedule, light: usize, frames: Range<usize>) -> R
     if chosen.is_empty() {
         return Err(Error::config(
             format!("light[{light}].turns"),
-            format!("frames {} to {} are never shown", frames.start, frames.end),
-            "a schedule that shows every frame",
+            format!(
+                "frames {} to {} are never shown",
+                frames.start,
+                frames.end - 1
+            ),
+            "a schedule that shows every frame: at least one turn",
         ));
     }
-    Ok(spans_of(&chosen, schedule.end_s()))
+    let energies = schedule.energies(light);
+    let mean = |energies: &[f64]| energies.iter().sum::<f64>() / energies.len() as f64;
+    let weight = mean(&energies[frames]) / mean(&energies);
+    Ok(spans_of(&chosen, weight, schedule.end_s()))
 }
 
-/// Exposures as spans; those that follow one another with the same power are one.
-fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
+/// Exposures as spans, whose shares are this weight together; those that follow one another with the same power are one.
+fn spans_of(exposures: &[&Exposure], weight: f64, end_s: f64) -> Vec<Span> {
     let energy = |e: &Exposure| e.seconds * e.irradiance_mw_per_mm2;
     let whole: f64 = exposures.iter().map(|e| energy(e)).sum();
     let follows = |a: &&Exposure, b: &&Exposure| {
@@ -203,7 +225,7 @@ fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
         Span {
             before_s: (end_s - last.begin_s - last.seconds).max(0.0),
             seconds,
-            share: group.iter().map(|e| energy(e)).sum::<f64>() / whole,
+            share: weight * group.iter().map(|e| energy(e)).sum::<f64>() / whole,
         }
     });
     joined.collect()

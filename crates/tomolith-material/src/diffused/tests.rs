@@ -99,12 +99,12 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
     check::model::model(&diffused(boxed), 5).unwrap();
 }
 
-#[test]
-fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
+/// How far a dose in so many arcs is from the print in time, after so many turns.
+fn off_the_print(turns: f64, arcs: usize) -> f64 {
     let model = SmallModel::new(11, 12, 1);
     let turns = Turns {
         dark_after_s: 3.0,
-        ..Turns::new(12, 12.0, 2.0)
+        ..Turns::new(12, 12.0, turns)
     };
     let schedule = Schedule::of_turns(&[turns]).unwrap();
     let mut x = model.new_patterns().unwrap();
@@ -119,16 +119,36 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
         .run(&Work::new(), &mut |_| ControlFlow::Continue(()))
         .unwrap();
     let printed = &state.volumes[material.readout(0).volume];
-    let distance = |arcs: usize| {
-        let model = Box::new(SmallModel::new(11, 12, 1));
-        let diffused = Diffused::of_schedule(model, 0.02, &schedule, arcs).unwrap();
-        let mut dose = check::dose(&diffused, &x);
-        dose.axpy(-1.0, printed);
-        dose.norm() / printed.norm()
-    };
-    let [exact, rough] = [12, 1].map(distance);
+    let model = Box::new(SmallModel::new(11, 12, 1));
+    let diffused = Diffused::of_schedule(model, 0.02, &schedule, arcs).unwrap();
+    let mut dose = check::dose(&diffused, &x);
+    dose.axpy(-1.0, printed);
+    dose.norm() / printed.norm()
+}
+
+#[test]
+fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
+    let [exact, rough] = [12, 1].map(|arcs| off_the_print(2.0, arcs));
     assert!(exact < 1e-4, "{exact}");
     assert!(rough > 10.0 * exact, "{rough} {exact}");
+}
+
+#[test]
+fn frames_that_a_broken_turn_shows_once_more_count_more() {
+    let exact = off_the_print(1.5, 12);
+    assert!(exact < 1e-4, "{exact}");
+    // Arcs end where the last turn does
+    let model = Box::new(SmallModel::new(11, 12, 1));
+    let schedule = Schedule::of_turns(&[Turns::new(12, 12.0, 1.5)]).unwrap();
+    let diffused = Diffused::of_schedule(model, 0.02, &schedule, 1).unwrap();
+    let frames: Vec<_> = diffused.arcs.iter().map(|arc| arc.frames.clone()).collect();
+    assert_eq!(frames, [0..6, 6..12]);
+    let model = Box::new(SmallModel::new(11, 12, 1));
+    let schedule = Schedule::of_turns(&[Turns::new(12, 12.0, 0.5)]).unwrap();
+    let refused = Diffused::of_schedule(model, 0.02, &schedule, 1)
+        .err()
+        .unwrap();
+    tomolith_core::contains!(refused.to_string(), "frames 6 to 11 are never shown");
 }
 
 #[test]

@@ -324,6 +324,7 @@ impl ResolvedJob {
         let notes = self.printers.iter().flatten().flat_map(Printer::notes);
         self.warnings.extend(notes.cloned());
         self.warnings.extend(multiresolution::left_out(self));
+        self.warnings.extend(self.uneven_turns()?);
         self.bound_by_time()?;
         self.fit_memory()?;
         // A checkpoint that is there gives its place to the next one

@@ -344,6 +344,7 @@ fn maps_of(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<AbsorptionMap>>> {
     };
     let mut maps: Vec<(f64, Arc<AbsorptionMap>)> = Vec::new();
     for i in 0..spec.light.len() {
+        must_leave_to_map(spec, i, map)?;
         let scattered = spec.resin_of(i).scattering_per_mm;
         let same = maps.iter().find(|(known, _)| *known == scattered);
         let map_of_light = match same {
@@ -353,6 +354,32 @@ fn maps_of(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<AbsorptionMap>>> {
         maps.push((scattered, map_of_light));
     }
     Ok(maps.into_iter().map(|(_, map)| map).collect())
+}
+
+/// Refuses numbers of a light in place of which the map of all lights would be used.
+fn must_leave_to_map(spec: &JobSpec, i: usize, map: &MapSpec) -> Result<()> {
+    let resin = &spec.light[i].resin;
+    let has_total = map.attenuation.is_some();
+    for (key, given) in [
+        ("absorption_per_mm", resin.absorption_per_mm),
+        ("attenuation_per_mm", resin.attenuation_per_mm),
+        (
+            "scattering_per_mm",
+            resin.scattering_per_mm.filter(|_| has_total),
+        ),
+    ] {
+        if let Some(value) = given {
+            return Err(Error::config(
+                format!("light[{i}].resin.{key}"),
+                format!(
+                    "{} per mm, but resin.absorption_map says how all lights are absorbed",
+                    exact(value)
+                ),
+                "no such key beside a map: lights that are absorbed differently need a job without it",
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// The absorption map in a resin that scatters so much per mm.
@@ -655,5 +682,18 @@ pub(crate) mod tests {
         let (active, total) = (vec![0.1, 0.25, 0.5], vec![0.6, 0.75, 1.0]);
         let expected = AbsorptionMap::new([1, 1, 3], 1.0, active, total).unwrap();
         assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
+    }
+
+    #[test]
+    fn a_light_has_no_absorption_of_its_own_beside_a_map() {
+        let spec = spec(&[
+            "resin.absorption_map={ absorption = \"mu.npy\", pitch_mm = 1.0 }",
+            "light.resin.absorption_per_mm=0.3",
+        ]);
+        let message = Optics::new(&spec, Path::new("."))
+            .err()
+            .unwrap()
+            .to_string();
+        tomolith_core::contains!(message, "light[0].resin.absorption_per_mm", "0.3 per mm");
     }
 }

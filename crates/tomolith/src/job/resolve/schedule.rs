@@ -32,10 +32,38 @@ pub(crate) fn schedule(spec: &JobSpec) -> Result<Schedule> {
     Ok(schedule)
 }
 
+/// Share of the energy of the brightest frame above which a frame counts as bright as that.
+const EVEN: f64 = 0.95;
+
 impl ResolvedJob {
     /// When which frame shines: the schedule of the job, or one turn.
     pub(crate) fn exposures(&self) -> Result<Schedule> {
         schedule(&self.spec)
+    }
+
+    /// Warns of frames that the schedule shows less often than others, or never: the dose counts all alike, unless it diffuses.
+    pub(crate) fn uneven_turns(&self) -> Result<Option<String>> {
+        if self.schedule().is_none() || self.diffusion().is_some() {
+            return Ok(None);
+        }
+        let schedule = self.exposures()?;
+        let of_light = |light: usize| {
+            let energies = schedule.energies(light);
+            let most = energies.iter().copied().fold(0.0, f64::max);
+            let less = energies.iter().filter(|e| **e < EVEN * most).count();
+            let never = energies.iter().filter(|e| **e == 0.0).count();
+            let (count, how_often) = match (never, less) {
+                (0, 0) => return None,
+                (0, less) => (less, "less often than the others"),
+                (never, _) => (never, "never"),
+            };
+            Some(format!(
+                "the schedule shows {count} of {} frames of light[{light}] {how_often}. The dose and the IoU count all alike; only the print in time counts what is shown. \
+                 A whole number of turns (schedule.turns) makes both the same",
+                energies.len()
+            ))
+        };
+        Ok((0..schedule.frames().len()).find_map(of_light))
     }
 }
 
@@ -160,5 +188,28 @@ mod tests {
         let half = "light.angles={ count = 2, arc_deg = 180 }";
         let passes = [(0.0, 0.0), (90.0, 1.5), (0.0, 3.0), (90.0, 4.5)];
         assert_eq!(shown(&[half, "schedule.turns=2"]), passes);
+    }
+
+    #[test]
+    fn frames_that_a_broken_turn_leaves_out_are_warned_of() {
+        use crate::models::Work;
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.4 }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [4, 4], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            schedule = { power = { energy_per_turn_mj_per_mm2 = 0.5 } }
+        "#;
+        let warning_of = |turns: &str| {
+            let job = job_of(text, &[turns]);
+            let job = ResolvedJob::under(&job, &Work::new()).unwrap();
+            job.uneven_turns().unwrap()
+        };
+        assert_eq!(warning_of("schedule.turns=3"), None);
+        assert_eq!(warning_of("schedule.turns=30.5"), None);
+        let [fewer, never] = ["schedule.turns=1.5", "schedule.turns=0.25"].map(warning_of);
+        tomolith_core::contains!(fewer.unwrap(), "4 of 8 frames of light[0] less often");
+        tomolith_core::contains!(never.unwrap(), "6 of 8 frames of light[0] never");
     }
 }
