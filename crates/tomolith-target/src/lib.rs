@@ -35,6 +35,7 @@ mod placing;
 mod region;
 mod solid;
 mod spec;
+pub mod thin;
 mod voxels;
 
 pub use bodies::{Assembly, BodySpec, Role};

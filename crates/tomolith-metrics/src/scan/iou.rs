@@ -22,6 +22,11 @@ impl Plateau {
     }
 }
 
+/// Length of what of a run of thresholds lies in [0, 1].
+fn within_unit((from, to): &(f64, f64)) -> f64 {
+    to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0)
+}
+
 /// An IoU as a fraction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fraction {
@@ -201,8 +206,15 @@ impl Scan<'_> {
     pub fn length_near_best(&self) -> Option<f64> {
         let best = &self.settled()?;
         let runs = self.runs(best, Fraction::is_near);
-        let length = |(from, to): &(f64, f64)| to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0);
-        Some(runs.iter().map(length).sum())
+        Some(runs.iter().map(within_unit).sum())
+    }
+
+    /// Length of {t in [0, 1]: IoU(t) > `iou`}, to within the buckets of the scan at its ends; `None` when there is no part.
+    #[must_use]
+    pub fn length_above(&self, iou: f64) -> Option<f64> {
+        let best = &self.settled()?;
+        let runs = self.runs(best, |piece, _| piece.value() > iou);
+        Some(runs.iter().map(within_unit).sum())
     }
 
     /// The thresholds [from, to) round the best one over which IoU is at least its best − 0.01, with the best IoU; `None` as for

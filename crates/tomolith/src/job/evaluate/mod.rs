@@ -236,7 +236,7 @@ pub(crate) fn evaluate_patterns(
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
     let noise = Noise::of(job, &voxels[0], shown, work)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
-    let mut warnings = doubts_of(job, shown, &first.evaluation, &noise, &agreement, progress)?;
+    let mut warnings = doubts_of(job, shown, &species, &noise, &agreement, progress)?;
     let one_exposure = together(job, &species, &mut warnings, progress);
     show(shown, &job.species, &species, progress);
     Ok(Evaluated {
@@ -387,11 +387,13 @@ fn numbers(
 fn doubts_of(
     job: &ResolvedJob,
     shown: &[Patterns],
-    evaluation: &Evaluation,
+    prints: &[SpeciesPrint],
     noise: &Option<Noise>,
     agreement: &Option<CrossCheck>,
     progress: &mut dyn Progress,
 ) -> Result<Vec<String>> {
+    let evaluation = &prints[0].evaluation;
+    let finer = prints.iter().filter(|_| !job.sees_own_voxels());
     let of_paths = noise.map(|noise| format!("Monte Carlo paths: {noise}"));
     let of_orders = agreement.map(|agreement| format!("scattering by orders: {agreement}"));
     for text in of_paths.into_iter().chain(of_orders) {
@@ -407,6 +409,7 @@ fn doubts_of(
         .chain(doubts::of_background(job, shown))
         .chain(doubts::of_threshold(job, evaluation))
         .chain(too_bright(job, shown)?)
+        .chain(job.too_thin(finer.map(|print| &print.fine.target)))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });

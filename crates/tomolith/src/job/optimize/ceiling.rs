@@ -7,7 +7,7 @@
 //! From there the ceiling falls by factors of 2 below the brightest pixel, each time for a few iterations more, until the print is worse by more than the job
 //! tolerates; then one step of √2 back. What limits the print at a low ceiling are edges, whose errors scale with the width of a pixel: on pixels of twice the width
 //! IoU and VER may lose twice as much; the mean deviation and Γ are relative, and may lose the same. Γ, the range of exposures that print, holds the ceiling
-//! where IoU says nothing: even light prints a disc, too, but within no range of exposures. A frame that stands for half the arc holds half the dose.
+//! where IoU says nothing: even light prints a disc, too, but within no range of exposures. Where the lower ceiling has the better IoU, both ranges end at the IoU of the higher one. A frame that stands for half the arc holds half the dose.
 //!
 //! **Start** The optimization goes on from what was found there, which stands for a tenth of its iterations. From there boat, dog-bones and cuvette of docs/fidelity.md print the same
 //! with a fifth less of them; the double tube loses 0.0011 in IoU with a fifth less, and 0.0005 with a tenth. Where pixels are so few that the start has the lower loss, it begins there.
@@ -54,6 +54,8 @@ const SETTLED: usize = 30;
 pub(crate) const SHARE: usize = 10;
 /// An iteration on the coarser level, with what is measured there, takes one of so many parts of one of the loop: measured between 6 and 14.
 const CHEAPER: usize = 8;
+/// Share of an IoU above which Γ counts a threshold.
+const NEAR: f64 = 0.95;
 /// Corners of each surface that mean deviations are taken from.
 const CORNERS: usize = 20_000;
 /// Ceilings are tried down to 2⁻⁸ of the brightest pixel.
@@ -302,7 +304,7 @@ impl Search<'_> {
             brightest,
             points: vec![CeilingPoint {
                 factor: 1.0,
-                qualities: self.stage.qualities(&x, true, self.work)?,
+                qualities: self.stage.qualities(&x, true, &[], self.work)?,
             }],
             good: None,
         };
@@ -345,8 +347,9 @@ impl Search<'_> {
         let mut lowered = x.clone();
         clip(&mut lowered, stage.model.patterns(), &limits)?;
         stage.improve_within(&mut lowered, &limits, each, work)?;
-        let qualities = stage.qualities(&lowered, true, work)?;
-        let is_good = are_good(stage.job, FACTOR, &tried.points[0].qualities, &qualities);
+        let without = &tried.points[0].qualities;
+        let qualities = stage.qualities(&lowered, true, without, work)?;
+        let is_good = are_good(stage.job, FACTOR, without, &qualities);
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
             tried.good = Some(tried.points.len() - 1);
@@ -443,11 +446,13 @@ impl Stage<'_> {
         }
     }
 
-    /// How good every output is; nothing of its surface where surfaces are left out.
+    /// How good every output is, next to other prints of them; nothing of its surface where surfaces are left out. Of a print with a better IoU than the other one, Γ is the
+    /// range in which it is better than 95 % of the other's: near a better IoU of its own a range is smaller, and no worse for that.
     pub(crate) fn qualities(
         &self,
         x: &HostField,
         has_surfaces: bool,
+        others: &[CeilingQuality],
         work: &Work,
     ) -> Result<Vec<CeilingQuality>> {
         let mut dose = self.model.new_dose()?;
@@ -463,11 +468,17 @@ impl Stage<'_> {
                 false => print.without_distance(),
             };
             let measure = |kind: &MetricKind| (kind.measure)(&print).filter(|v| v.is_finite());
+            let iou = measure(&iou::KIND);
+            let of_other = others.get(i).and_then(|other| other.iou);
+            let gamma = match of_other.filter(|other| iou.is_some_and(|iou| iou > *other)) {
+                Some(other) => print.scan().length_above(NEAR * other).map(|t| 100.0 * t),
+                None => measure(&gamma::KIND),
+            };
             Ok(CeilingQuality {
-                iou: measure(&iou::KIND),
+                iou,
                 ver: measure(&ver::KIND),
                 surface_mean_mm: measure(&surface_deviation::MEAN),
-                gamma: measure(&gamma::KIND),
+                gamma,
             })
         });
         let found = of_output.collect::<Result<Vec<_>>>()?;

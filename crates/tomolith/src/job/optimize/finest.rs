@@ -50,7 +50,7 @@ pub(crate) fn settle(
     if has_slack && !found.may_become(LOWER, stage.job) {
         return Ok(ended.outcome);
     }
-    let qualities = stage.qualities(ended.x, false, work)?;
+    let qualities = stage.qualities(ended.x, false, &[], work)?;
     let mut go_on = GoOn {
         stage,
         sofar,
@@ -135,7 +135,7 @@ impl GoOn<'_, '_> {
         let mut outcome = self.on(&mut x, &bounds, &ended.outcome)?;
         let mut trial = FinestTrial {
             tried: LOWER,
-            after: self.stage.qualities(&x, false, self.work)?,
+            after: self.stage.qualities(&x, false, &before, self.work)?,
             before,
             changed_by: 1.0,
         };
@@ -164,7 +164,7 @@ impl GoOn<'_, '_> {
         stage.improve_within(&mut x, &limits, TRY, self.work)?;
         let mut trial = FinestTrial {
             tried: 2.0,
-            after: stage.qualities(&x, false, self.work)?,
+            after: stage.qualities(&x, false, &[], self.work)?,
             before,
             changed_by: 1.0,
         };
@@ -179,7 +179,7 @@ impl GoOn<'_, '_> {
                 .bounds
                 .clone_from_slice(&scaled(&lowest, ended.highest, step));
             outcome = self.on(ended.x, ended.bounds, &outcome)?;
-            qualities = stage.qualities(ended.x, false, self.work)?;
+            qualities = stage.qualities(ended.x, false, &trial.after, self.work)?;
         }
         Ok((outcome, trial))
     }

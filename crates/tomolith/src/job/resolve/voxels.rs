@@ -1,6 +1,7 @@
 //! The target on voxels: what is part, what is void, what counts.
 
 use super::optics::Optics;
+use super::refinement::Level;
 use super::remarks::at_grid;
 use super::species::{Species, named};
 use crate::error::Result;
@@ -13,7 +14,8 @@ use crate::metrics::surface::TargetSurface;
 use crate::models::{DoseLayout, Work};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
-use crate::target::{self, Role, Target, label, label_columns, label_voxels};
+use crate::target::{self, Role, Target, label, label_columns, label_voxels, thin::Thin};
+use crate::units::concise;
 use std::sync::Arc;
 use tomolith_core::parallel::table;
 
@@ -37,6 +39,34 @@ impl Voxels {
             band: self.target.gray.then(|| species.half_width()),
         }
     }
+}
+
+/// Share of the part from which on walls and gaps that voxels leave out are worth a word.
+const THIN: f64 = 1e-3;
+
+/// Warns of a target with walls or gaps that its voxels leave out; gray values are no shape.
+fn of_thin(target: &Target) -> Option<String> {
+    if target.gray {
+        return None;
+    }
+    let thin = Thin::of(&target.inside);
+    let is_much = |mm3: f64| mm3 > THIN * thin.part_mm3;
+    let percent = report::number::significant(100.0 * thin.walls_mm3 / thin.part_mm3, 2);
+    let [walls, gaps] =
+        [thin.walls_mm3, thin.gaps_mm3].map(|mm3| report::number::significant(mm3, 2));
+    let of_walls = format!("walls of {walls} mm³ ({percent} % of the part)");
+    let of_gaps = format!("gaps of {gaps} mm³");
+    let what = match (is_much(thin.walls_mm3), is_much(thin.gaps_mm3)) {
+        (false, false) => return None,
+        (true, false) => of_walls,
+        (false, true) => of_gaps,
+        (true, true) => format!("{of_walls} and {of_gaps}"),
+    };
+    Some(format!(
+        "{what} are too thin for voxels of {} mm: a voxel is part from one half on, so the target leaves them out, and the numbers of the print do not tell of them. \
+         Use voxels no wider than they are (grid.pitch_mm)",
+        concise(target.inside.grid.pitch_mm)
+    ))
 }
 
 /// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
@@ -127,6 +157,9 @@ impl ResolvedJob {
             warning.into_iter().collect()
         });
         found.extend(named(&self.species, faces.collect()));
+        if self.sees_own_voxels() {
+            found.extend(self.too_thin(voxels.iter().map(|voxels| &voxels.target)));
+        }
         let given = self.scenarios.iter().zip(&self.spec.scenario);
         for (i, (scenario, spec)) in given.enumerate() {
             let of_voxels = self.warned(&scenario.optics, voxels);
@@ -137,6 +170,18 @@ impl ResolvedJob {
             found.extend(new.iter().map(|text| format!("{}: {text}", scenario.name)));
         }
         Ok(found)
+    }
+
+    /// Whether the optimization has no finer voxels than the job.
+    pub(crate) fn sees_own_voxels(&self) -> bool {
+        let is_finer = |level: &Level| level.grid.pitch_mm < self.grid.pitch_mm;
+        !self.levels.iter().any(is_finer)
+    }
+
+    /// Walls and gaps that the voxels of these targets, one a species, leave out.
+    pub(crate) fn too_thin<'t>(&self, targets: impl Iterator<Item = &'t Target>) -> Vec<String> {
+        let warnings = targets.map(|target| of_thin(target).into_iter().collect());
+        named(&self.species, warnings.collect())
     }
 
     /// What lies outside the resin, or beyond the reach of these optics.
