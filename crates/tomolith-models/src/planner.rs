@@ -179,7 +179,7 @@ fn built(
     }
 }
 
-/// A model whose pixels are those of a file. All of them are unknowns, but those that the selection of a light leaves out.
+/// A model whose pixels are those of a file. Those that miss the part, or that the selection of a light leaves out, stay dark.
 fn stored(
     family: &dyn ModelFamily,
     input: &ModelInput<'_>,
@@ -188,7 +188,7 @@ fn stored(
     let model = family.build(input)?;
     let lights = input.scene.lights;
     let mut dark = Vec::new();
-    if lights.iter().any(|light| light.selection.is_any()) {
+    if wanted.is_some() || lights.iter().any(|light| light.selection.is_any()) {
         let selections: Vec<_> = lights.iter().map(|l| l.selection.clone()).collect();
         let brought = wanted.map(|wanted| contributions(model.as_ref(), wanted, input.work));
         let brought = brought.transpose()?;

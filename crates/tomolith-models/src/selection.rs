@@ -2,7 +2,8 @@
 //!
 //! *Can help.* The adjoint of an indicator is positive exactly for the pixels that bring light to a voxel that is to be printed,
 //! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
-//! `min_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
+//! `min_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark. A millionth of that is rounding: a pixel whose
+//! edge meets that of the part brings nothing on one machine, and 10⁻¹⁵ on another.
 //!
 //! *Background.* Where a light has a smallest value above 0, pixels that miss the part have it, too: they are unknowns.
 //!
@@ -18,6 +19,9 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::{InParallel, elements, table};
 use tomolith_optics::light::{Light, Selection};
+
+/// Share of what the best pixel of a light brings, up to which a pixel brings nothing.
+const ROUNDING: f32 = 1e-6;
 
 /// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
 /// inside cells are wanted.
@@ -62,11 +66,13 @@ pub fn chosen(
     let brought = |i: usize| contributions.map_or(1.0, |all| all[i]);
     for (layout, selection) in patterns.iter().zip(selections) {
         let (rows, columns) = (layout.grid.rows, layout.grid.columns);
+        let all = contributions.map_or(&[][..], |all| &all[layout.range()]);
+        let nothing = ROUNDING * all.iter().copied().fold(0.0, f32::max);
         let of_run = |(slot, run): (usize, &PixelRun)| {
             let (bottom, first) = (run.bottom as usize, run.offset);
             (0..run.count as usize).map(move |i| {
                 let at = [slot / columns, rows - 1 - bottom - i, slot % columns];
-                let is_lit = brought(first + i) > 0.0 || selection.has_background;
+                let is_lit = brought(first + i) > nothing || selection.has_background;
                 is_lit && selection.allows(at)
             })
         };
@@ -302,7 +308,7 @@ mod tests {
             let selections = [light.selection.clone()];
             let chosen = chosen(all.patterns(), &selections, Some(brought.as_slice()));
             for (&chosen, &brought) in chosen.iter().zip(brought.as_slice()) {
-                let enough = brought > 0.0 && f64::from(brought) >= least * f64::from(best);
+                let enough = brought > 1e-6 * best && f64::from(brought) >= least * f64::from(best);
                 assert_eq!(chosen, enough);
             }
             lit.push(chosen.iter().filter(|c| **c).count());
