@@ -13,7 +13,7 @@ use crate::job::resolve::row_ends::RowEnds;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
-use crate::units::counted;
+use crate::units::{counted, exact};
 use acting::{Arcs, coarsest_pixels};
 use lack::Lack;
 
@@ -104,6 +104,7 @@ impl Asked<'_> {
             bits: resolved.evaluation().bit_depth,
             has_machine: resolved.printers.is_some(),
             dark_light: self.dark_light(),
+            apart_from_mm: resolved.machine_pixels_apart_mm(),
             arcs: Arcs::of(&lights),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < resolved.grid.pitch_mm
@@ -117,6 +118,7 @@ impl Asked<'_> {
                 || (lights.iter())
                     .any(|acting| moved_pixels(acting.light, shape.bounds_mm()) > WIDE_STEP),
             lack: Lack::of(resolved, shape, &print.fine, &lights),
+            has_level_heights: (resolved.schedule()).is_some_and(|given| given.level_heights),
             has_no_iterations: (self.optimized).is_some_and(|optimized| {
                 optimized
                     .outcome
@@ -187,6 +189,8 @@ struct Measurements {
     has_machine: bool,
     /// What the machine gives at level 0, as a share of white and as a pattern value; None where the patterns count that light, or there is none.
     dark_light: Option<[f64; 2]>,
+    /// Width of the machine's pixels, mm, where those of the light are no whole number of them; None where they are, or there is no machine.
+    apart_from_mm: Option<f64>,
     /// Arcs of frames; None for lists of angles.
     arcs: Option<Arcs>,
     /// Whether the optimization's voxels were as fine as the evaluation's: the job's voxels then limit nothing.
@@ -203,13 +207,15 @@ struct Measurements {
     has_few_angles: bool,
     /// Why light may leave a part of the part without what it needs.
     lack: Option<Lack>,
+    /// Whether rows are scaled so that all heights are done at the same time.
+    has_level_heights: bool,
     /// Whether the patterns are those that the optimization would begin with.
     has_no_iterations: bool,
     /// Whether their loss is 0, so that iterations would change nothing.
     starts_at_zero: bool,
     /// Whether the job says at how many angles of a frame the optimization looks.
     has_own_sub_angles: bool,
-    /// The key of the upper bound that holds nearly all pixels that shine; None where none does.
+    /// The key of the upper bound that holds most pixels that shine; None where none does.
     held_by: Option<String>,
     /// Whether the lower bound holds nearly all pixels.
     has_background: bool,
@@ -230,9 +236,9 @@ impl Measurements {
             self.turning(),
             self.exposure(),
             self.row_ends(),
-            self.what_remains(),
         ]
         .into_iter()
+        .chain(self.what_remains())
         .flatten()
         .collect();
         causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
@@ -361,7 +367,15 @@ impl Measurements {
                 );
                 return Some(self.limit(Cause::Levels, loss, "bounds.min", found, "Raise"));
             }
-            let action = "Bring the pixels of machine and light together (pitch, offset, turn) in";
+            if let Some(pitch_mm) = self.apart_from_mm {
+                let found = format!(
+                    "{found} The machine's pixels are {} mm wide, and those of the light no whole number of them.",
+                    exact(pitch_mm)
+                );
+                let action = "Make that a multiple of the machine's:";
+                return Some(self.limit(Cause::Levels, loss, &self.pixel_key, found, action));
+            }
+            let action = "Bring the pixels of machine and light together (offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
         }
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
@@ -463,8 +477,51 @@ impl Measurements {
         Some(format!("{way} by {} mm", significant(mm.abs(), 2)))
     }
 
-    /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
-    fn what_remains(&self) -> Option<Limit> {
+    /// What the patterns leave before they are written: the light's share, and what an optimization that was not at its end may still gain.
+    fn what_remains(&self) -> [Option<Limit>; 2] {
+        let Some((reach, [lost, of_rest])) = self.reached() else {
+            return [None, None];
+        };
+        let is_lit = !self.has_few_angles && self.lacking().is_none();
+        // As many iterations more lower the loss by no more than these did
+        let falling = self.falling.filter(|_| is_lit);
+        let iterations = falling.map(|Falling { fall, key }| {
+            let found = format!(
+                "The loss function still fell by {} % in the last {} of {}: more may recover as much of what the patterns lack.",
+                significant(100.0 * fall.share, 2),
+                fall.last,
+                counted(fall.all, "iteration")
+            );
+            self.limit(Cause::Iterations, fall.share * of_rest, key, found, "Raise")
+        });
+        let of_light = of_rest * falling.map_or(1.0, |falling| 1.0 - falling.fall.share);
+        let rest = match of_rest >= WORTH_CHANGING {
+            true if self.is_simulated => "; the rest is due to the given patterns.",
+            true if self.has_level_heights => {
+                "; rows are scaled so that all heights are done at the same time, which this dose does not count. What prints is told by the print in time."
+            }
+            true => "; the rest is the limit of this light.",
+            false if lost >= WORTH_CHANGING => ": the other causes take what it lacks.",
+            false => ": there is nothing left to improve.",
+        };
+        let found = reach + rest;
+        let optics = if self.is_simulated || self.has_level_heights {
+            Limit {
+                cause: Cause::Optics,
+                measure: self.kind.name,
+                loss: of_light,
+                key: String::new(),
+                advice: found,
+            }
+        } else {
+            let (key, action) = self.more_of_light();
+            self.limit(Cause::Optics, of_light, &key, found, &action)
+        };
+        [iterations, Some(optics)]
+    }
+
+    /// What the patterns reach before they are written, in words; what that lacks, and what of it no other cause takes.
+    fn reached(&self) -> Option<(String, [f64; 2])> {
         let (reached, reach) = if self.saw_finer {
             let at = self.best.map_or("The", |_| "At its best threshold the");
             let of_print = format!("{at} print has {}", self.value(self.at_best()?));
@@ -476,46 +533,18 @@ impl Measurements {
             );
             (self.optimized, reach)
         };
-        let loss = self.loss(Some(self.perfect()), reached)?;
+        let lost = self.loss(Some(self.perfect()), reached)?;
         // What other causes of the same print take is not the light's. Without finer voxels `reached` is before the patterns are written, on
         // voxels that do not see rows' ends
         let of_print = [self.levels(), self.row_ends(), self.turning()]
             .map(|limit| limit.filter(|limit| self.saw_finer && limit.loss > 0.0));
         let others: f64 = of_print.iter().flatten().map(|limit| limit.loss).sum();
-        let all = loss;
-        let loss = if others == 0.0 {
-            loss
+        let rest = if others == 0.0 {
+            lost
         } else {
-            (loss - others).max(0.0)
+            (lost - others).max(0.0)
         };
-        let is_lit = !self.has_few_angles && self.lacking().is_none();
-        let Some(Falling { fall, key }) = self.falling.filter(|_| is_lit) else {
-            let rest = match loss >= WORTH_CHANGING {
-                true if self.is_simulated => "; the rest is due to the given patterns.",
-                true => "; the rest is the limit of this light.",
-                false if all >= WORTH_CHANGING => ": the other causes take what it lacks.",
-                false => ": there is nothing left to improve.",
-            };
-            let found = reach + rest;
-            if self.is_simulated {
-                return Some(Limit {
-                    cause: Cause::Optics,
-                    measure: self.kind.name,
-                    loss,
-                    key: String::new(),
-                    advice: found,
-                });
-            }
-            let (key, action) = self.more_of_light();
-            return Some(self.limit(Cause::Optics, loss, &key, found, &action));
-        };
-        let found = format!(
-            "{reach}, and the loss function still fell by {} % in the last {} of {}: more iterations would recover part of the loss; the rest is the limit of this projector.",
-            significant(100.0 * fall.share, 2),
-            fall.last,
-            counted(fall.all, "iteration")
-        );
-        Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
+        Some((reach, [lost, rest]))
     }
 
     /// Why light leaves a part of the part without what it needs, where that may be most of what the print lacks.
@@ -548,7 +577,7 @@ impl Measurements {
             return ("stop.iterations".to_owned(), action);
         }
         if let Some(key) = &self.held_by {
-            let action = action("Nearly all pixels that shine are at their bound: raise");
+            let action = action("Most pixels that shine are at their bound: raise");
             return (key.to_owned(), action);
         }
         if self.has_few_angles {
@@ -642,6 +671,9 @@ impl Measurements {
             Cause::Ends => "place the part's faces between rows of pixels, or lower",
             Cause::Exposure => "change",
             Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
+            Cause::Levels if limit.key == self.pixel_key => {
+                "make a multiple of the machine's pixels:"
+            }
             Cause::Levels if limit.key == "printer" => {
                 "bring the pixels of machine and light together in"
             }

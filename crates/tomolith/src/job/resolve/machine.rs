@@ -101,6 +101,9 @@ fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudg
     }
 }
 
+/// Share by which pixels of a light may differ from a whole number of the machine's.
+const APART: f64 = 1e-3;
+
 /// How the patterns of a job are shown: by which machine, how fast, in which files.
 #[derive(Clone, Copy)]
 pub(crate) struct Showing<'a> {
@@ -108,6 +111,24 @@ pub(crate) struct Showing<'a> {
 }
 
 impl ResolvedJob {
+    /// Edge of a machine's pixels, mm, where an edge of its light's pixels is no whole number of them; None where all are, or machines show the light's own.
+    pub(crate) fn machine_pixels_apart_mm(&self) -> Option<f64> {
+        let lights = self.optics.lights.iter().enumerate();
+        let mut pairs = lights.filter_map(|(i, light)| {
+            let printer = self.spec.printer_of(i)?;
+            let mut edges_mm = printer.pixel_pitch_mm?.0;
+            if !printer.quarter_turns.is_multiple_of(2) {
+                edges_mm.reverse();
+            }
+            Some(light.pixels.pitch_mm.into_iter().zip(edges_mm))
+        });
+        let is_apart = |(of_light, of_machine): &(f64, f64)| {
+            let times = of_light / of_machine;
+            (times - times.round()).abs() > APART * times
+        };
+        pairs.find_map(|mut edges| edges.find(is_apart).map(|(_, of_machine)| of_machine))
+    }
+
     pub(crate) fn showing(&self) -> Showing<'_> {
         Showing::of(&self.spec)
     }
