@@ -150,7 +150,7 @@ export function run(name = "wheel"): Run {
     report: report(),
     texts: {
       lead: "The print and the part overlap with an IoU of 0.9922.",
-      print_time: "Print time M/t 0.772 mm.",
+      print_time: "Print time N·M/t 0.772 mm.",
       facts: [["Vial", "cylinder"], ["Frames", "36"]],
       exposure: ["At the best exposure resin gels at a dose of 0.786."],
       limits: [{ name: "acrylate", sentence: "Finer grid −0.037." }, { name: "epoxy", sentence: "Iterations −0.02." }],

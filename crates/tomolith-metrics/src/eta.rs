@@ -14,7 +14,7 @@
 //! use tomolith_core::target::label::PART;
 //! let grid = VolumeGrid::centered([1, 1, 1], 0.5);
 //! let (labels, response) = (Volume { grid: grid.clone(), values: vec![PART] }, Volume { grid, values: vec![1.0] });
-//! let stats = PatternStats { pixels: 8, sum: 12.0, max: 3.0 };
+//! let stats = PatternStats { pixels: 8, sum: 12.0, max: 3.0, white: 6.0 };
 //! let print = Print::new(&labels, &response).unwrap().with_patterns(stats);
 //! assert_eq!(evaluate(&print).measures.get("eta"), Some(0.5)); // mean 1.5, maximum 3
 //! ```
@@ -49,7 +49,12 @@ mod tests {
         let print = || Print::new(&labels, &response).unwrap();
         let eta_of = |sum, max| {
             let pixels = 8;
-            measure(&print().with_patterns(PatternStats { pixels, sum, max }))
+            measure(&print().with_patterns(PatternStats {
+                pixels,
+                sum,
+                max,
+                white: 0.0,
+            }))
         };
         assert_eq!(eta_of(6.0, 3.0), Some(0.25));
         assert_eq!(eta_of(0.0, 0.0), None);

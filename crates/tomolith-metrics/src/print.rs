@@ -41,6 +41,8 @@ pub struct PatternStats {
     pub sum: f64,
     /// Largest pattern value.
     pub max: f32,
+    /// Frames times the largest pattern value of a light, of all lights together: what pixels that are always white send.
+    pub white: f64,
 }
 
 impl PatternStats {
@@ -50,6 +52,7 @@ impl PatternStats {
             pixels: 0,
             sum: 0.0,
             max: 0.0,
+            white: 0.0,
         };
         for patterns in lights {
             let blocks: Vec<(f64, f32)> = patterns.values.chunks(BLOCK).par_map(|block| {
@@ -59,7 +62,9 @@ impl PatternStats {
             });
             stats.pixels += patterns.values.len() as u64;
             stats.sum += blocks.iter().map(|b| b.0).sum::<f64>();
-            stats.max = blocks.iter().fold(stats.max, |max, b| max.max(b.1));
+            let max = blocks.iter().fold(0.0f32, |max, b| max.max(b.1));
+            stats.max = stats.max.max(max);
+            stats.white += patterns.grid.frames() as f64 * f64::from(max);
         }
         stats
     }
@@ -515,18 +520,25 @@ mod tests {
 
     #[test]
     fn pattern_sums_count_every_pixel_of_every_light() {
-        let patterns = |values: Vec<f32>| Patterns {
-            grid: tomolith_core::grid::PatternGrid::full_turn(1, 0.0, 1, values.len(), 0.1),
-            values,
+        let patterns = |frames: usize, values: Vec<f32>| {
+            let columns = values.len() / frames;
+            Patterns {
+                grid: tomolith_core::grid::PatternGrid::full_turn(frames, 0.0, 1, columns, 0.1),
+                values,
+            }
         };
-        let (a, b) = (patterns(vec![0.0, 2.0]), patterns(vec![1.0, 0.0, 0.0]));
+        let (a, b) = (
+            patterns(2, vec![0.0, 2.0]),
+            patterns(1, vec![1.0, 0.0, 0.0]),
+        );
         let stats = PatternStats::of([&a, &b]);
         assert_eq!(
             stats,
             PatternStats {
                 pixels: 5,
                 sum: 3.0,
-                max: 2.0
+                max: 2.0,
+                white: 2.0 * 2.0 + 1.0
             }
         );
     }

@@ -1,14 +1,15 @@
-//! How long a print takes, for any machine and resin: M/t.
+//! How long a print takes, for any machine and resin: N·M/t.
 //!
 //! ```text
-//! M/t = largest pixel / dose at which the resin gels, mm
+//! N·M/t = frames · largest pixel / dose at which the resin gels, mm; of several lights the sum
 //! ```
 //!
-//! A pixel is the energy that it delivers over the whole print, mJ/mm², so a projector whose white has irradiance I shines for M·(D_c/t)/I on each angle, where
-//! D_c is the resin's critical dose: of two prints with one machine and one resin, the one with half M/t takes half the time. None when no patterns are given, all are
+//! A pixel is the energy that it delivers over the whole print, mJ/mm², so a projector whose white has irradiance I shines for M·(D_c/t)/I on each of N angles, where
+//! D_c is the resin's critical dose: N·M/t is D_c/I in mm. Of two prints with one machine and one resin, the one with half N·M/t takes half the time. Lights follow one another here, all with the same
+//! irradiance. None when no patterns are given, all are
 //! dark, nothing gels, or the response is not known.
 //!
-//! A brightest pixel of 3 mJ/mm², and resin that gels at 0.75 mJ/mm³:
+//! Two frames, a brightest pixel of 3 mJ/mm², and resin that gels at 0.75 mJ/mm³:
 //! ```
 //! use std::sync::Arc;
 //! use tomolith_core::grid::{Volume, VolumeGrid};
@@ -18,9 +19,9 @@
 //! let grid = VolumeGrid::centered([1, 1, 2], 0.5);
 //! let labels = Volume { grid: grid.clone(), values: vec![PART, VOID] };
 //! let response = Volume { grid, values: vec![1.0, 0.5] };
-//! let stats = PatternStats { pixels: 8, sum: 12.0, max: 3.0 };
+//! let stats = PatternStats { pixels: 8, sum: 12.0, max: 3.0, white: 6.0 };
 //! let print = Print::new(&labels, &response).unwrap().with_patterns(stats).with_response(Arc::new(Identity));
-//! assert_eq!(evaluate(&print).measures.get("time_mm"), Some(4.0)); // the best threshold is 0.75, between void and part
+//! assert_eq!(evaluate(&print).measures.get("time_mm"), Some(8.0)); // the best threshold is 0.75, between void and part
 //! ```
 
 use super::print::Print;
@@ -30,15 +31,15 @@ use super::{Better, Measure, MetricKind};
 fn measure(print: &Print<'_>) -> Measure {
     let patterns = print.patterns()?;
     let dose = print.gel_dose()?;
-    (patterns.max > 0.0 && dose > 0.0 && dose.is_finite()).then(|| f64::from(patterns.max) / dose)
+    (patterns.white > 0.0 && dose > 0.0 && dose.is_finite()).then(|| patterns.white / dose)
 }
 
 /// Row of [`METRICS`](super::METRICS).
 pub const KIND: MetricKind = MetricKind {
     name: "time_mm",
-    title: "Print time M/t",
-    summary: "Brightest pixel over the dose at which the resin gels: how long the print takes with a given machine and resin.",
-    unit: "mm (M/t)",
+    title: "Print time N·M/t",
+    summary: "Frames times the brightest pixel over the dose at which the resin gels: how long the print takes with a given machine and resin.",
+    unit: "mm (N·M/t)",
     better: Better::Lower,
     measure,
 };

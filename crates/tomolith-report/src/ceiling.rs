@@ -58,6 +58,8 @@ pub struct CeilingReport {
     pub brightest: f64,
     /// Mean dose in the part where every pixel of every frame of the run is 1, mJ/mm³; 0 with several lights.
     pub even_dose: f64,
+    /// Frames times the brightest pixel without a ceiling, of all lights together: what pixels that are always white would send.
+    pub white: f64,
     /// What was tried, in order; the first is without a ceiling.
     pub points: Vec<CeilingPoint>,
     /// Which of them was chosen; None where none below the bound of the start is good enough.
@@ -71,7 +73,7 @@ pub struct CeilingReport {
 pub struct TradeOff {
     /// The brightest pixel, in the unit of patterns.
     pub brightest: f64,
-    /// M/t, mm.
+    /// N·M/t, mm.
     pub time_mm: Option<f64>,
     /// Where the job's power and critical dose are known.
     pub time_s: Option<f64>,
@@ -105,10 +107,11 @@ impl CeilingReport {
             .and_then(|window| window.reported_percent)
             .map(|percent| percent / 100.0);
         let known = of_run("time_mm").zip(dose).zip(reported);
-        let of_patterns = known.map(|((mm, dose), reported)| mm * dose / reported);
+        let of_patterns =
+            known.map(|((mm, dose), reported)| mm * dose / reported * self.brightest / self.white);
         let at = |brightest: f64| TradeOff {
             brightest,
-            time_mm: dose.map(|dose| brightest / dose),
+            time_mm: dose.map(|dose| brightest / dose * self.white / self.brightest),
             time_s: seconds
                 .zip(of_patterns)
                 .map(|(s, most)| s * brightest / most),
@@ -232,12 +235,12 @@ pub fn gap_sentence(gap: Gap) -> Option<String> {
     })
 }
 
-/// How long a print takes, in a sentence: M/t, and how many times an even exposure where its dose is known. None for prints without a time.
+/// How long a print takes, in a sentence: N·M/t, and how many times an even exposure where its dose is known. None for prints without a time.
 #[must_use]
 pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> Option<String> {
     let time = time_mm?;
     let even = ceiling
-        .map(|ceiling| time * ceiling.even_dose)
+        .map(|ceiling| time * ceiling.even_dose * ceiling.brightest / ceiling.white)
         .filter(|times| times.is_finite() && *times > 0.0);
     let even = even.map_or_else(String::new, |times| {
         format!(
@@ -246,7 +249,7 @@ pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> O
         )
     });
     Some(format!(
-        "Print time M/t {} mm (brightest pixel over gel dose){even}.",
+        "Print time N·M/t {} mm (frames times brightest pixel over gel dose){even}.",
         significant(time, 3)
     ))
 }
@@ -278,6 +281,7 @@ mod tests {
         CeilingReport {
             brightest: 8.0,
             even_dose: 1.0,
+            white: 80.0,
             points: [1.0, 0.5, 0.25].map(point).to_vec(),
             chosen: Some(1),
             finest: Some(FinestTrial {
@@ -295,7 +299,7 @@ mod tests {
         let dose = evaluation.gel_threshold.unwrap();
         let measures = evaluation.measures.0.iter_mut();
         let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(5.0 / dose));
+        time_mm.for_each(|(_, value)| *value = Some(50.0 / dose));
         let window = ExposureWindow::new(&evaluation, &Identity, Some(30.0)).unwrap();
         let rows = |by: f64| ceiling(by).trade_off(&evaluation, Some(&window));
         let chosen = |rows: &[TradeOff]| rows.iter().position(|row| row.is_chosen);
@@ -311,7 +315,7 @@ mod tests {
         assert_eq!(raised[1].ver, of_run("ver"));
         // The run itself takes 30 s: its brightest pixel of 5 counts, not a ceiling of 6 that none reaches
         near!(raised[1].brightest, 5.0, 1e-9);
-        near!(raised[1].time_mm.unwrap(), 5.0 / dose, 1e-9);
+        near!(raised[1].time_mm.unwrap(), 50.0 / dose, 1e-9);
         near!(raised[1].time_s.unwrap(), 30.0, 1e-9);
         near!(raised[0].time_s.unwrap(), 30.0 * 8.0 / 5.0, 1e-9);
         // The bound of the start is not what was tried on wider pixels
@@ -323,12 +327,12 @@ mod tests {
         let rows = without.trade_off(&evaluation, Some(&window));
         let chosen = rows.iter().find(|row| row.is_chosen).unwrap();
         assert!(chosen.is_evaluated && rows.len() == 4);
-        near!(chosen.time_mm.unwrap(), 5.0 / dose, 1e-9);
+        near!(chosen.time_mm.unwrap(), 50.0 / dose, 1e-9);
         // Of a job that names a threshold 4/5 as high the print in the report lasts a quarter longer than the best one
         evaluation.gel_threshold = evaluation.gel_threshold.map(|best| 0.8 * best);
         let measures = evaluation.measures.0.iter_mut();
         let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(5.0 / (0.8 * dose)));
+        time_mm.for_each(|(_, value)| *value = Some(50.0 / (0.8 * dose)));
         let reported = ExposureWindow::new(&evaluation, &Identity, Some(37.5)).unwrap();
         let named = without.trade_off(&evaluation, Some(&reported));
         for (named, best) in named.iter().zip(&rows) {

@@ -162,7 +162,7 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Erro
                 case.name
             );
             println!(
-                "| patterns | IoU | VER | M/t, mm | trimmed PW, IPDR | mean, 95 % deviation, µm | in pixels | s |"
+                "| patterns | IoU | VER | N·M/t, mm | trimmed PW, IPDR | mean, 95 % deviation, µm | in pixels | s |"
             );
             println!("|---|---|---|---|---|---|---|---|");
             for (row, title, keys) in ROWS.iter().filter(|row| asked(rows, row.0)) {

@@ -18,7 +18,7 @@ export function ceiling({ run }: Context): HTMLElement | null {
   const rows = list(report(run).ceiling?.trade_off);
   if (rows.length === 0 && !run.texts?.ceiling) return null;
   const inSeconds = rows.length > 0 && rows.every((row) => isNumber(row.time_s));
-  const x: Axis = inSeconds ? { label: "print time", unit: "s", from: 0 } : { label: "print time M/t", unit: "mm", from: 0 };
+  const x: Axis = inSeconds ? { label: "print time", unit: "s", from: 0 } : { label: "print time N·M/t", unit: "mm", from: 0 };
   const time = (row: TradeOff) => (inSeconds ? row.time_s : row.time_mm);
   const plots = [
     plot("IoU", rows, x, time, (row) => row.iou),
@@ -63,6 +63,6 @@ function table(rows: readonly TradeOff[]): HTMLElement | null {
     quantity(row.ver, "", 3),
     quantity(isNumber(row.surface_mean_mm) ? 1e3 * row.surface_mean_mm : null, "", 3),
   ];
-  const heads = ["Brightest pixel", "M/t, mm", ...(hasSeconds ? ["time, s"] : []), "IoU", "VER", "surface off on average, µm"];
+  const heads = ["Brightest pixel", "N·M/t, mm", ...(hasSeconds ? ["time, s"] : []), "IoU", "VER", "surface off on average, µm"];
   return dataTable({ caption: "Quality against time", heads, rows: rows.map(cells) });
 }

@@ -59,7 +59,7 @@ export function clock(seconds: Measure): string {
 /** How the page writes a unit of report.json: lengths in µm, "response" has no unit. */
 export function unitOf(unit: string): { unit: string; factor: number } {
   if (unit === "mm") return { unit: "µm", factor: 1e3 };
-  // M/t, which its name says
+  // N·M/t, which its name says
   if (unit.startsWith("mm (")) return { unit: "mm", factor: 1 };
   return { unit: unit === "response" ? "" : unit, factor: 1 };
 }

@@ -34,7 +34,7 @@ pub(super) fn trade_off(given: &ExposeArguments) -> Result<()> {
     let mut answer = Answer::default();
     answer.line(
         "row",
-        "brightest pixel, M/t, IoU, VER, mean deviation (on pixels of twice the width)",
+        "brightest pixel, N·M/t, IoU, VER, mean deviation (on pixels of twice the width)",
     );
     for (i, row) in rows.iter().enumerate() {
         answer.line(&(i + 1).to_string(), sentence(row));

@@ -653,7 +653,7 @@ fn check_tells_the_plan_and_changes_nothing() {
         let output = bench.stdout(0, &format!("check job.toml --set {bound}"));
         let searches = output.contains("the run looks for the lowest ceiling of the pixels");
         let [iterations, time] =
-            ["takes as long as some ", "M/t is at most about "].map(|before| {
+            ["takes as long as some ", "N·M/t is at most about "].map(|before| {
                 let after = output.split_once(before)?.1;
                 after.split_once(' ')?.0.parse::<f64>().ok()
             });
@@ -662,7 +662,7 @@ fn check_tells_the_plan_and_changes_nothing() {
     assert_eq!(of_time("bounds.ceiling=lowest"), (true, true, None));
     assert_eq!(of_time("bounds.ceiling=start"), (false, false, None));
     // The threshold objective asks for doses below 0.7 or above 0.9
-    assert_eq!(of_time("bounds.max=0.2"), (false, false, Some(0.25)));
+    assert_eq!(of_time("bounds.max=0.2"), (false, false, Some(7.5)));
     // Light of ±1 mm enters a vial of index 1.5 in air: tangent up to 0.67 mm only
     let output = bench.stdout(0, "check job.toml --set light.pixels=[20,24]");
     assert!(output.contains("not lit from all sides"), "{output}");

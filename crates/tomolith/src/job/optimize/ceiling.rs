@@ -1,6 +1,6 @@
 //! The lowest ceiling of the pixels at which a job prints as well as without one.
 //!
-//! A projector's white is fixed, so a print lasts as long as its brightest pixel asks for: its time is proportional to M/t, the largest pixel over the dose at the
+//! A projector's white is fixed, so a print lasts as long as its brightest pixel asks for: its time is proportional to N·M/t, the frames times the largest pixel over the dose at the
 //! best threshold. Where a job names no largest pixel, the program looks for a low one.
 //!
 //! **Method** The job is optimized on pixels, frames and voxels of twice the width (about a sixteenth of the cost of an iteration) within the bound of the start.
@@ -204,6 +204,8 @@ fn find_on(
     let brightest: Vec<f64> = (tried.brightest.iter().zip(&per_frame))
         .map(|(bright, share)| bright * share)
         .collect();
+    let white = |(frames, bright): (&usize, &f64)| *frames as f64 * bright;
+    let white = fine.iter().zip(&brightest).map(white).sum();
     let largest = tried.good.map(|i| {
         brightest
             .iter()
@@ -216,6 +218,7 @@ fn find_on(
         patterns,
         report: CeilingReport {
             brightest: brightest.iter().copied().fold(0.0, f64::max),
+            white,
             even_dose: even_dose / per_frame.iter().copied().fold(f64::INFINITY, f64::min),
             chosen: tried.good,
             points: tried.points,

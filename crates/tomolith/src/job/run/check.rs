@@ -149,23 +149,22 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
 fn print_time(resolved: &ResolvedJob, of_ceiling: usize) -> Option<String> {
     if of_ceiling > 0 {
         return Some(format!(
-            "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations: the print time M/t is known \
+            "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations: the print time N·M/t is known \
              then. bounds.max or printer.time_s set it beforehand"
         ));
     }
     let lights = 0..resolved.optics.lights.len();
-    let largest = lights
-        .map(|i| resolved.bounds_of(i).1)
-        .collect::<Option<Vec<_>>>()?;
-    let largest = largest.into_iter().fold(0.0, f64::max);
+    let white: f64 = lights
+        .map(|i| Some(resolved.optics.lights[i].pixels.frames() as f64 * resolved.bounds_of(i).1?))
+        .sum::<Option<f64>>()?;
     let [lower, upper] = resolved.first().goal.thresholds()?;
     let threshold = resolved.evaluation().threshold;
     let gel = threshold.unwrap_or_else(|| f64::midpoint(lower, upper));
     let is_dose = resolved.first().goal.response.is_identity() && gel > 0.0;
     is_dose.then(|| {
         format!(
-            "the print time M/t is at most about {} mm: the largest bounds.max over a gel dose of {}",
-            significant(largest / gel, 3),
+            "the print time N·M/t is at most about {} mm: frames times bounds.max over a gel dose of {}",
+            significant(white / gel, 3),
             significant(gel, 3)
         )
     })
