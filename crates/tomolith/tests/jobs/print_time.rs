@@ -76,3 +76,13 @@ fn a_print_of_few_turns_is_warned_of() {
     );
     assert!(!at("output.rpm=5").contains(text));
 }
+
+#[test]
+fn a_print_of_hours_is_warned_of() {
+    let at = |power: &str| {
+        let power = format!("printer.peak_irradiance_mw_per_cm2={power}");
+        report_of(&["printer.time_s=1e6", &power]).to_string()
+    };
+    let text = "hours, and resin keeps still for minutes";
+    assert!(at("0.001").contains(text) && !at("10").contains(text));
+}

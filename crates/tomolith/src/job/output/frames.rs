@@ -34,6 +34,9 @@ const HEADROOM: f64 = 1.2;
 /// Turns below which it shows that a print ends within one: some sides have then shone a half more often than others.
 const FEW_TURNS: f64 = 3.0;
 
+/// A print that takes longer than this, s, is none: published ones take seconds to minutes.
+const LONG_S: f64 = 1800.0;
+
 /// Turns a minute that throw no resin about.
 const FASTEST_RPM: f64 = 60.0;
 
@@ -68,7 +71,21 @@ impl<'a> Shown<'a> {
     /// What people should know of the time to print; `is_held`: nearly all pixels are as bright as they may be.
     pub(crate) fn warnings(&self, is_held: bool) -> Vec<String> {
         let few_turns = self.lights.iter().find_map(|light| self.few_turns(light));
-        self.overrun(is_held).into_iter().chain(few_turns).collect()
+        let of_print = self.overrun(is_held).into_iter().chain(self.hours());
+        of_print.chain(few_turns).collect()
+    }
+
+    /// Warns of a print that takes longer than resin keeps still.
+    fn hours(&self) -> Option<String> {
+        let times = self.lights.iter().map(|light| light.budget.time_s);
+        let seconds: f64 = times.sum::<Option<f64>>()?;
+        (seconds > LONG_S).then(|| {
+            format!(
+                "the print takes {} hours, and resin keeps still for minutes: the part sinks, and what reacts goes on without light. Look at the units of printer.peak_irradiance_mw_per_cm2 and \
+                 resin.critical_dose_mj_per_mm3, or use a resin that absorbs less, or a brighter projector",
+                significant(seconds / 3600.0, 3)
+            )
+        })
     }
 
     /// Warns of a print that ends before the vial has turned a few times, which no schedule counts on.
