@@ -323,8 +323,24 @@ fn matrix_stages(
         "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });
+    for text in left_out_of_matrix(&resolved) {
+        progress.event(&Event::Warning { text });
+    }
     let lighting = stage(progress, work, "lighting every pixel");
     matrix::export(&plan.model, path, &lighting)
+}
+
+/// What of a job's dose its matrix leaves out.
+fn left_out_of_matrix(job: &ResolvedJob) -> Vec<String> {
+    let rows = job.rows().unwrap_or_default();
+    let mut weights = rows.iter().flat_map(|(_, weights)| weights);
+    let weighs = weights.any(|weight| *weight != 1.0).then(|| {
+        "the matrix has the dose of all lights together; for the dose of a species multiply the columns of each light by what `species.driven_by` gives it".to_owned()
+    });
+    let diffuses = job.diffusion().is_some().then(|| {
+        "the matrix has the dose as it is written; that it diffuses (material.diffusion) comes on top".to_owned()
+    });
+    weighs.into_iter().chain(diffuses).collect()
 }
 
 /// Refuses models that no matrix stands for.

@@ -94,6 +94,17 @@ pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
             ));
         };
         let mut keys = keys_of(table, name, base)?;
+        if !keys.is_empty() && keys.keys().all(|key| given.contains_key(key)) {
+            let all: Vec<&str> = keys.keys().map(String::as_str).collect();
+            return Err(Error::config(
+                format!("{table}.profile"),
+                format!("the job itself has all keys of {name:?}, so the profile changes nothing"),
+                format!(
+                    "a profile without some of these keys in [{table}]: {}; `--set {table}=\"{name}\"` takes it in place of the table",
+                    all.join(", ")
+                ),
+            ));
+        }
         keys.extend(given);
         *value = Value::Object(keys);
     }
@@ -197,12 +208,17 @@ mod tests {
     fn what_is_no_profile_is_refused_with_the_nearest() {
         let place = tempfile::tempdir().unwrap();
         std::fs::write(place.path().join("wrong.toml"), "absorbtion_per_mm = 0.3\n").unwrap();
+        std::fs::write(place.path().join("ours.toml"), "absorption_per_mm = 0.3\n").unwrap();
         for (change, words) in [
             ("resin=\"sr399-tp\"", "did you mean `sr399-tpo`?"),
             ("resin={ profile = 3 }", "resin.profile"),
             ("resin=\"none.toml\"", "none.toml"),
             ("resin=\"wrong.toml\"", "absorbtion_per_mm"),
             ("printer=\"sr399-tpo\"", "opencal"),
+            (
+                "resin={ profile = \"ours.toml\", absorption_per_mm = 0.2 }",
+                "changes nothing",
+            ),
         ] {
             let found = job(&["resin=\"sr399-tpo\"", change], place.path());
             let found = found.map(drop).unwrap_err().to_string();
