@@ -385,6 +385,30 @@ fn warn_of_loose(
     }
 }
 
+/// Warns of kinetics that the points leave open: a range wider than a factor of e, or than two thirds of the orders.
+fn warn_of_wide(answer: &mut Answer, ranges: Option<&[[f64; 2]; 4]>) {
+    let Some([irradiance, supply, cure, order]) = ranges else {
+        answer.warn("the points do not fix every parameter: there are no ranges");
+        return;
+    };
+    let is_wide = |[low, high]: &[f64; 2]| high / low > std::f64::consts::E;
+    let loose: Vec<&str> = [
+        ("the lowest irradiance", is_wide(irradiance)),
+        ("the inhibitor that flows back", is_wide(supply)),
+        ("the cure", is_wide(cure)),
+        ("the order of the cure", order[1] - order[0] > 2.0 / 3.0),
+    ]
+    .into_iter()
+    .filter_map(|(name, is_wide)| is_wide.then_some(name))
+    .collect();
+    if !loose.is_empty() {
+        answer.warn(format!(
+            "the points do not fix {}: numbers within the ranges in brackets fit about as well; measure at lower irradiances, at which the inhibitor takes most of the time, and more points",
+            loose.join(" and ")
+        ));
+    }
+}
+
 fn of_times(given: &KineticsArguments) -> Result<()> {
     let path = &given.measured.table;
     let at = given.at.as_ref();
@@ -400,28 +424,23 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         ("order of the cure", resin.order, ""),
     ];
     for (i, (name, value, unit)) in values.into_iter().enumerate() {
-        let error = fit.errors.map(|errors| errors[i]);
-        let text = format!("{} {unit}", with_error(value, error));
-        answer.line(name, text.trim_end().to_owned());
+        let range = fit.ranges.map_or_else(String::new, |ranges| {
+            let [low, high] = ranges[i].map(|end| match end.is_finite() {
+                true => significant(end, 3),
+                false => "any".to_owned(),
+            });
+            format!("(68 %: {low} to {high})")
+        });
+        let words = [significant(value, 4), unit.to_owned(), range];
+        let words: Vec<String> = words.into_iter().filter(|w| !w.is_empty()).collect();
+        answer.line(name, words.join(" "));
     }
     answer.number("inhibitor used by", resin.inhibitor_dose(), 4, "mJ/cm²");
     answer.line("off by up to", percent(fit.worst()));
-    // The order may be 0
-    let errors = fit.errors.as_ref().map(|errors| &errors[..3]);
-    warn_of_loose(
-        &mut answer,
-        &[
-            "the lowest irradiance",
-            "the inhibitor that flows back",
-            "the cure",
-        ],
-        &values.map(|(_, value, _)| value)[..3],
-        errors,
-        "lower irradiances, at which the inhibitor takes most of the time",
-    );
+    warn_of_wide(&mut answer, fit.ranges.as_ref());
     if fit.is_order_at_end {
         answer.warn(format!(
-            "the best order of the cure is beyond its range, 0 to 1, and was set to {}",
+            "the best order of the cure would be beyond its range, 0 to 1; within it, {} is best",
             concise(resin.order)
         ));
     }
@@ -463,7 +482,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         }
     }
     answer.set("kinetics", resin);
-    answer.set("errors", fit.errors);
+    answer.set("ranges", fit.ranges);
     answer.set("inhibitor_dose_mj_per_cm2", resin.inhibitor_dose());
     answer.set("residuals", &fit.residuals);
     answer.set("dose_spread", fit.dose_spread);

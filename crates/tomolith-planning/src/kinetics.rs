@@ -7,8 +7,8 @@
 //! dE/dt = (I/I₁)^m            cure      t_c = t₁·(I/I₁)^(−m),      0 ≤ m ≤ 1,  I₁ = the largest irradiance measured
 //! ```
 //!
-//! and t = t_i + t_c. Fitted by least squares of ln t: I_min (below the lowest irradiance), k, t₁, m. Where the best m is beyond its range, it is fixed
-//! at the end; standard errors count how uncertain m is there, too.
+//! and t = t_i + t_c. Fitted by least squares of ln t: I_min (below the lowest irradiance), k, t₁, m. How uncertain each is, the profile of the sum of squares
+//! says ([`KineticsFit::ranges`]): towards k → 0 at constant κ the times hardly change, and a standard error from slopes would be far too small.
 //!
 //! **Source** zeroth-order consumption: Wang et al. 2022, supplement, Fig. S12; sub-linear rates: there, Fig. S11; the sum is ours. **Units** mW/cm², s.
 //! **Limits** four irradiances. One volume without space: light is even, inhibitor flows in at the rate k only.
@@ -24,9 +24,17 @@
 
 use serde::Serialize;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::least_squares::{Minimum, at, minimize};
+use tomolith_core::least_squares::{at, minimize};
 use tomolith_core::response::curve::Curve;
 use tomolith_report::plot::{Axis, Plot};
+
+/// The t within which 68 % of Student's distribution lie (expansion in 1/ν about 1 standard deviation: 1.81 at ν = 1, where 1.84 is right).
+fn student(freedom: f64) -> f64 {
+    1.0 + 0.5 / freedom + 0.25 / freedom.powi(2) + 0.0625 / freedom.powi(3)
+}
+
+/// ln of how far a parameter is followed: a factor of 10⁶.
+const FARTHEST: f64 = 14.0;
 
 /// A resin of one volume.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -71,9 +79,11 @@ impl Kinetics {
 pub struct KineticsFit {
     /// The resin.
     pub kinetics: Kinetics,
-    /// Standard errors of I_min, k, t₁ and m; None where the points do not fix them.
-    pub errors: Option<[f64; 4]>,
-    /// Whether the best m is beyond its range, and the resin has the end of it.
+    /// Of I_min, k, t₁ and m, each: between which values the sum of squares, least over the others, is at most t²s² above the least, with s² the least over
+    /// points − 4 and t from Student's distribution: 68 % where the law is nearly linear. An end is 0 or infinite where none is found. None where the
+    /// points do not fix them.
+    pub ranges: Option<[[f64; 2]; 4]>,
+    /// Whether no m within its range is better than the end of it that the resin has.
     pub is_order_at_end: bool,
     /// Time of the fit over the measured one, minus 1, from the lowest irradiance on.
     pub residuals: Vec<f64>,
@@ -110,28 +120,8 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
         }
     }
     let fit = Fit { x, y };
-    let free = fit.best(None);
-    let order = free.parameters[3];
-    let end = order.clamp(0.0, 1.0);
-    let minimum = if order == end {
-        free
-    } else {
-        let mut theta = fit.best(Some(end)).parameters;
-        theta.push(end);
-        at(&theta, x.len(), |theta, i, slopes| {
-            fit.residual(theta, None, i, slopes)
-        })
-    };
-    let kinetics = fit.kinetics(&minimum.parameters, None);
-    let used = kinetics.min_irradiance / x[0];
-    let errors = minimum.errors(0.0, x.len()).map(|e| {
-        [
-            e[0] * kinetics.min_irradiance * (1.0 - used),
-            e[1] * kinetics.supply_per_s,
-            e[2] * kinetics.cure_s,
-            e[3],
-        ]
-    });
+    let best = fit.best();
+    let kinetics = fit.kinetics(&best.theta);
     let residuals = x.iter().zip(y).map(|(x, y)| {
         let time = kinetics.time_s(*x).unwrap_or(f64::INFINITY);
         time / y - 1.0
@@ -139,8 +129,8 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
     let doses = || x.iter().zip(y).map(|(x, y)| x * y);
     Ok(KineticsFit {
         kinetics,
-        errors,
-        is_order_at_end: order != end,
+        ranges: fit.ranges(&best),
+        is_order_at_end: best.is_order_at_end,
         residuals: residuals.collect(),
         dose_spread: doses().fold(0.0, f64::max) / doses().fold(f64::INFINITY, f64::min) - 1.0,
     })
@@ -151,59 +141,213 @@ struct Fit<'a> {
     y: &'a [f64],
 }
 
+/// Where among [`Theta`] the order is.
+const ORDER: usize = 3;
+
+/// Logit of I_min over the lowest irradiance, ln k, ln t₁, and m.
+type Theta = [f64; 4];
+
+/// Parameters with the least sum of squares, of those that were free.
+#[derive(Clone, Copy)]
+struct Least {
+    theta: Theta,
+    cost: f64,
+    is_order_at_end: bool,
+}
+
 impl Fit<'_> {
-    /// Parameters: logit of I_min over the lowest irradiance, ln k, ln t₁, and m unless it is fixed.
-    fn kinetics(&self, theta: &[f64], order: Option<f64>) -> Kinetics {
+    fn kinetics(&self, theta: &Theta) -> Kinetics {
         let used = 1.0 / (1.0 + (-theta[0]).exp());
         Kinetics {
             min_irradiance: used * self.x[0],
             supply_per_s: theta[1].exp(),
             cure_s: theta[2].exp(),
-            order: order.unwrap_or_else(|| theta[3]),
+            order: theta[ORDER],
             reference: self.x[self.x.len() - 1],
         }
     }
 
-    /// The least of several valleys.
-    fn best(&self, order: Option<f64>) -> Minimum {
+    /// The least with an order of its range. Where the least of all is beyond the range, one within it may still be less than both ends.
+    fn best(&self) -> Least {
+        let free = self.least_of_valleys(0.5, &[0, 1, 2, ORDER]);
+        if (0.0..=1.0).contains(&free.theta[ORDER]) {
+            return free;
+        }
+        let of = |order| self.least_of_valleys(order, &[0, 1, 2]);
+        let all: Vec<Least> = (0..=20).map(|i| of(f64::from(i) / 20.0)).collect();
+        let (i, least) = (all.iter().enumerate())
+            .min_by(|a, b| a.1.cost.total_cmp(&b.1.cost))
+            .map_or((0, free), |(i, least)| (i, *least));
+        let [mut low, mut high] =
+            [i.saturating_sub(1), (i + 1).min(20)].map(|i| all[i].theta[ORDER]);
+        // Golden section: each time the third without the lesser of two is left out
+        let share = 0.5 * (5f64.sqrt() - 1.0);
+        let mut inner = least;
+        while high - low > 1e-7 {
+            let [left, right] = [high - share * (high - low), low + share * (high - low)]
+                .map(|order| self.least_with(&least.theta, ORDER, order));
+            for found in [left, right] {
+                if found.cost < inner.cost {
+                    inner = found;
+                }
+            }
+            if left.cost < right.cost {
+                high = right.theta[ORDER];
+            } else {
+                low = left.theta[ORDER];
+            }
+        }
+        // What rounding makes of a least at an end is no order within the range
+        let best = if inner.cost < least.cost * (1.0 - 1e-9) {
+            inner
+        } else {
+            least
+        };
+        Least {
+            is_order_at_end: [0.0, 1.0].contains(&best.theta[ORDER]),
+            ..best
+        }
+    }
+
+    /// The least of several valleys, in which the parameters that are not free stay as they begin.
+    fn least_of_valleys(&self, order: f64, free: &[usize]) -> Least {
         let shortest = self.y.iter().copied().fold(f64::INFINITY, f64::min);
-        let mut best: Option<Minimum> = None;
+        let mut best: Option<Least> = None;
         for logit in [-1.0, 1.0, 3.0] {
             for share in [0.1, 0.5, 0.9] {
                 // Induction takes a share of the shortest time
                 let used = 1.0 / (1.0 + f64::exp(-logit));
                 let y = used * self.x[0] / self.x[self.x.len() - 1];
                 let supply = -(-y).ln_1p() / (share * shortest);
-                let mut start = vec![logit, supply.ln(), ((1.0 - share) * shortest).ln()];
-                start.extend(order.is_none().then_some(0.5));
-                let found = minimize(&start, self.x.len(), |theta, i, slopes| {
-                    self.residual(theta, order, i, slopes)
-                });
-                if found.cost.is_finite() && best.as_ref().is_none_or(|b| found.cost < b.cost) {
+                let start = [logit, supply.ln(), ((1.0 - share) * shortest).ln(), order];
+                let found = self.least(&start, free);
+                if found.cost.is_finite() && best.is_none_or(|b| found.cost < b.cost) {
                     best = Some(found);
                 }
             }
         }
         // A start is finite by construction
-        best.unwrap_or_else(|| minimize(&[0.0; 4], 0, |_, _, _| 0.0))
+        best.unwrap_or_else(|| self.least(&[0.0; 4], &[]))
+    }
+
+    /// The least from a start, in which the parameters that are not free stay as they begin.
+    fn least(&self, start: &Theta, free: &[usize]) -> Least {
+        let whole = |part: &[f64]| {
+            let mut theta = *start;
+            free.iter()
+                .zip(part)
+                .for_each(|(i, value)| theta[*i] = *value);
+            theta
+        };
+        let part: Vec<f64> = free.iter().map(|i| start[*i]).collect();
+        let found = minimize(&part, self.x.len(), |part, point, slopes| {
+            let (rest, all) = self.residual(&whole(part), point);
+            slopes
+                .iter_mut()
+                .zip(free)
+                .for_each(|(slope, i)| *slope = all[*i]);
+            rest
+        });
+        Least {
+            theta: whole(&found.parameters),
+            cost: found.cost,
+            is_order_at_end: false,
+        }
+    }
+
+    /// The least with one parameter of this value and an order of its range, in the valley of a start.
+    fn least_with(&self, start: &Theta, parameter: usize, value: f64) -> Least {
+        let mut start = *start;
+        start[parameter] = value;
+        let free: Vec<usize> = (0..4).filter(|i| *i != parameter).collect();
+        let found = self.least(&start, &free);
+        if (0.0..=1.0).contains(&found.theta[ORDER]) {
+            return found;
+        }
+        let free: Vec<usize> = (0..ORDER).filter(|i| *i != parameter).collect();
+        let [first, second, third] = [start[ORDER], 0.0, 1.0].map(|order| {
+            start[ORDER] = order;
+            self.least(&start, &free)
+        });
+        let lesser = |a: Least, b: Least| if b.cost < a.cost { b } else { a };
+        lesser(first, lesser(second, third))
+    }
+
+    /// Of I_min, k, t₁ and m; None without a degree of freedom, or where the points do not fix them.
+    fn ranges(&self, best: &Least) -> Option<[[f64; 2]; 4]> {
+        let (points, start) = (self.x.len(), best.theta);
+        let linear = at(&start, points, |theta, i, slopes| {
+            let theta = [theta[0], theta[1], theta[2], theta[ORDER]];
+            let (rest, all) = self.residual(&theta, i);
+            slopes.copy_from_slice(&all);
+            rest
+        });
+        let errors = linear.errors(0.0, points)?;
+        let freedom = (points - 4) as f64;
+        let most = best.cost * (1.0 + student(freedom).powi(2) / freedom);
+        let ends = |parameter: usize| {
+            [-1.0, 1.0].map(|side| self.end(best, parameter, side * errors[parameter], most))
+        };
+        let [logit, ln_supply, ln_cure, order] = [ends(0), ends(1), ends(2), ends(ORDER)];
+        Some([
+            logit.map(|t| self.x[0] / (1.0 + (-t).exp())),
+            ln_supply.map(f64::exp),
+            ln_cure.map(f64::exp),
+            order,
+        ])
+    }
+
+    /// How far a parameter may go, in steps of this sign, until the least of all others is above `most`; infinite where it never is.
+    fn end(&self, best: &Least, parameter: usize, step: f64, most: f64) -> f64 {
+        let within = |value: f64| match parameter {
+            ORDER => value.clamp(0.0, 1.0),
+            _ => value,
+        };
+        let mut inside = best.theta;
+        let mut step = step.clamp(-1.0, 1.0);
+        let mut outside = loop {
+            let value = within(inside[parameter] + step);
+            if value == inside[parameter] {
+                return value;
+            }
+            if (value - best.theta[parameter]).abs() > FARTHEST {
+                return step.signum() * f64::INFINITY;
+            }
+            let found = self.least_with(&inside, parameter, value);
+            if found.cost > most || found.cost.is_nan() {
+                break value;
+            }
+            inside = found.theta;
+            step *= 2.0;
+        };
+        for _ in 0..12 {
+            let value = 0.5 * (inside[parameter] + outside);
+            let found = self.least_with(&inside, parameter, value);
+            if found.cost <= most {
+                inside = found.theta;
+            } else {
+                outside = value;
+            }
+        }
+        inside[parameter]
     }
 
     /// ln of time over measured time, and its derivatives.
-    fn residual(&self, theta: &[f64], order: Option<f64>, i: usize, slopes: &mut [f64]) -> f64 {
-        let k = self.kinetics(theta, order);
+    fn residual(&self, theta: &Theta, i: usize) -> (f64, Theta) {
+        let k = self.kinetics(theta);
         let (x, y) = (self.x[i], k.min_irradiance / self.x[i]);
         let induction = -(-y).ln_1p() / k.supply_per_s;
         let ratio = x / k.reference;
         let cure = k.cure_s * ratio.powf(-k.order);
         let time = induction + cure;
         let used = k.min_irradiance / self.x[0];
-        slopes[0] = k.min_irradiance * (1.0 - used) / (x * (1.0 - y) * k.supply_per_s) / time;
-        slopes[1] = -induction / time;
-        slopes[2] = cure / time;
-        if let Some(slope) = slopes.get_mut(3) {
-            *slope = -ratio.ln() * cure / time;
-        }
-        (time / self.y[i]).ln()
+        let slopes = [
+            k.min_irradiance * (1.0 - used) / (x * (1.0 - y) * k.supply_per_s) / time,
+            -induction / time,
+            cure / time,
+            -ratio.ln() * cure / time,
+        ];
+        ((time / self.y[i]).ln(), slopes)
     }
 }
 

@@ -204,10 +204,10 @@ fn kinetics_come_back_from_their_own_times() {
     near!(fit.kinetics.order, 0.5, 1e-4);
     near!(fit.kinetics.inhibitor_dose(), 750.0, 0.2);
     assert!(fit.worst() < 1e-6);
-    assert!(fit.errors.is_some());
+    assert!(fit.ranges.is_some());
     let few = kinetics::fit(&Curve::of_pairs(&pairs[..3]).unwrap());
     assert!(matches!(few, Err(Error::Config { key, .. }) if key == "irradiance"));
-    // A best m below its range ends at 0; the errors of all four count how uncertain it is
+    // A best m below its range ends at 0
     let beyond = Kinetics {
         order: -0.2,
         ..made_of
@@ -218,7 +218,74 @@ fn kinetics_come_back_from_their_own_times() {
     let fit = kinetics::fit(&Curve::of_pairs(&pairs).unwrap()).unwrap();
     assert_eq!(fit.kinetics.order, 0.0);
     assert!(fit.is_order_at_end);
-    assert!(fit.errors.unwrap().iter().all(|e| *e > 0.0));
+    let [.., supply, _, order] = fit.ranges.unwrap();
+    assert!(supply[0] < fit.kinetics.supply_per_s && fit.kinetics.supply_per_s < supply[1]);
+    assert!(order[0] == 0.0 && order[1] > 0.0);
+}
+
+/// Times of k = 0.01 per s, I_min = 3 mW/cm², t₁ = 60 s and m = 1, with noise of 2 %.
+const LINEAR: [f64; 10] = [3.2, 3.5, 4.0, 5.0, 7.0, 10.0, 14.0, 20.0, 30.0, 40.0];
+
+fn of_linear(times: [f64; 10]) -> kinetics::KineticsFit {
+    kinetics::fit(&Curve::new(&LINEAR, &times).unwrap()).unwrap()
+}
+
+/// The least of all has m = −0.3; that of 0 ≤ m ≤ 1 is not at the nearer end (bounded least squares of scipy).
+#[test]
+fn the_best_order_of_the_range_is_looked_for_within_it() {
+    let fit = of_linear([
+        1022.12, 871.343, 745.032, 576.634, 400.435, 276.895, 188.501, 131.904, 89.0211, 68.1724,
+    ]);
+    near!(fit.kinetics.order, 0.991, 0.001);
+    near!(fit.kinetics.supply_per_s, 0.00448, 1e-5);
+    assert!(!fit.is_order_at_end);
+    let cost: f64 = fit.residuals.iter().map(|r| r.ln_1p().powi(2)).sum();
+    near!(cost, 0.002_025_3, 1e-7);
+}
+
+/// The valley is bent: slopes at the least would say 0.00049 ± 0.00018, and 0.2 ± 1.1 for the order. Ends of the profile: scipy.
+#[test]
+fn a_range_reaches_as_far_as_the_points_allow() {
+    let fit = of_linear([
+        987.394, 848.172, 749.506, 575.548, 396.464, 273.4, 188.909, 137.267, 92.4286, 70.0598,
+    ]);
+    near!(fit.kinetics.supply_per_s, 4.933e-4, 1e-6);
+    let [irradiance, supply, cure, order] = fit.ranges.unwrap();
+    near!(supply[0], 4.047e-4, 1e-6);
+    near!(supply[1], 1.434e-3, 3e-6);
+    near!(irradiance[1], 1.897, 0.005);
+    near!(cure[1], 35.84, 0.1);
+    near!(order[1], 0.907, 0.005);
+    assert_eq!(order[0], 0.0);
+}
+
+/// Where the law is nearly linear in what is fitted, a range is one standard error either way.
+#[test]
+fn ranges_of_many_points_are_standard_errors() {
+    let made_of = Kinetics {
+        min_irradiance: 3.0,
+        supply_per_s: 0.01,
+        cure_s: 60.0,
+        order: 0.6,
+        reference: 40.0,
+    };
+    let times: Vec<f64> = (LINEAR.iter().enumerate())
+        .map(|(i, irradiance)| {
+            let noise = [0.001, -0.001, -0.001, 0.001][i % 4];
+            made_of.time_s(*irradiance).unwrap() * f64::exp(noise)
+        })
+        .collect();
+    let fit = kinetics::fit(&Curve::new(&LINEAR, &times).unwrap()).unwrap();
+    let found = fit.kinetics;
+    let values = [
+        found.min_irradiance,
+        found.supply_per_s,
+        found.cure_s,
+        found.order,
+    ];
+    for ([low, high], value) in fit.ranges.unwrap().iter().zip(values) {
+        near!((high - value) / (value - low), 1.0, 0.1, "{fit:?}");
+    }
 }
 
 /// The induction time in closed form against its differential equation.
