@@ -92,13 +92,12 @@ fn machine() -> Result<Vec<(&'static str, String)>> {
         (
             "memory",
             match (resources::free_memory_mb(), budget) {
-                (Some(free), Some(planned)) => {
-                    format!(
-                        "{} free, of which a run plans with {}",
-                        gb(free),
-                        gb(planned)
-                    )
-                }
+                (Some(free), Some(planned)) => format!(
+                    "a run plans with {} ({:.0} % of this computer's memory); {} are free now",
+                    gb(planned),
+                    100.0 * resources::SHARE,
+                    gb(free)
+                ),
                 _ => "not known here: `resources.memory_gb` bounds what a run takes".to_owned(),
             },
         ),

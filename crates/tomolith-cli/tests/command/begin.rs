@@ -78,6 +78,12 @@ fn the_doctor_finds_closed_forms() {
     let checks = found["checks"].as_array().unwrap();
     assert_eq!(checks.len(), 3);
     bench.says(0, "doctor", &["instructions", "right: "]);
+    // What a run plans with is no part of what is free
+    let memory = found["machine"]["memory"].as_str().unwrap();
+    if cfg!(target_os = "linux") {
+        let parts = ["a run plans with ", " (80 % of this computer's memory); "];
+        contains(memory, "doctor", &parts);
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use std::path::Path;
 
 /// Share of the computer's memory that a run plans with where nobody says how much.
-const SHARE: f64 = 0.8;
+pub const SHARE: f64 = 0.8;
 
 /// Memory that a run may plan with, MB (10⁶ bytes): what the job gives it, or a fixed share of the computer's. It does not depend on what
 /// else runs. None where the system does not say how much it has (only Linux does) and the job neither.
