@@ -154,6 +154,7 @@ fn tried(given: &NewArguments, answers: &Answers) -> Result<String> {
         pixels = self::pixels(answers, widening, bounds_mm);
         resolved = resolve(pixels)?;
     }
+    resolved.must_print(&Work::new()).map_err(of_voxels)?;
     for warning in resolved.warnings() {
         mutter(&format!("{:>12} {warning}", "warning"));
     }
@@ -179,6 +180,17 @@ fn option_of(key: &str) -> Option<&'static str> {
     ];
     let found = options.iter().find(|(begin, _)| key.starts_with(begin));
     found.map(|(_, option)| *option)
+}
+
+/// A part that is fine but for the voxels, which are as wide as the pixels.
+fn of_voxels(mut error: Error) -> Error {
+    if let Error::Config { key, found, .. } = &mut error
+        && key == "target"
+    {
+        *found = format!("target: {found}");
+        "--size-mm, --pixel-mm".clone_into(key);
+    }
+    error
 }
 
 /// Says which option is at fault, in place of a line of a job that was not written.

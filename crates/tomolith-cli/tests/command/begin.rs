@@ -63,6 +63,15 @@ fn a_new_job_that_cannot_be_is_refused_and_not_written() {
         ("new a.toml --depth-mm 0", "--depth-mm"),
         ("new a.toml --pixel-mm nan", "--pixel-mm"),
         ("new a.toml --angles 0", "--angles"),
+        // No voxel is half filled
+        (
+            "new a.toml --pixel-mm 2",
+            "--size-mm, --pixel-mm: target: no voxel",
+        ),
+        (
+            "new a.toml --size-mm 0.05",
+            "--size-mm, --pixel-mm: target: no",
+        ),
         ("new none/a.toml", "there is no folder"),
     ] {
         bench.refuse(line, &[words]);

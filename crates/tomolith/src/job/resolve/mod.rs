@@ -225,6 +225,15 @@ impl ResolvedJob {
         Ok(self.voxels.get_or_init(|| voxels))
     }
 
+    /// Refuses a part of which no voxel is half filled, or of which too much is where nothing prints.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key; [`Error::Canceled`].
+    pub fn must_print(&self, work: &Work) -> Result<()> {
+        let voxels = self.own_voxels(work)?;
+        self.warnings_of(voxels).map(drop)
+    }
+
     fn resolve(job: &Job, work: &Work) -> Result<Self> {
         let (spec, base) = (&job.spec, job.base());
         time_refusals::must_fit(spec)?;
