@@ -80,6 +80,23 @@ pub fn read_volume(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
     read_dimensions(path, "a 3D .npy array [z, y, x] of numbers")
 }
 
+/// Reads a sinogram of VAMToolbox, an `.npy` array `[u, angle, z]`: its shape and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array, or has no values.
+pub fn read_sinogram(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    let accepted = "a 3D .npy array [u, angle, z] of numbers";
+    let (shape, values) = read_dimensions(path, accepted)?;
+    if values.is_empty() {
+        return Err(Error::format(
+            path,
+            format!("no values: shape {shape:?}"),
+            accepted,
+        ));
+    }
+    Ok((shape, values))
+}
+
 /// Reads a 2D `.npy` array `[row, column]`: its shape and values as f32.
 ///
 /// # Errors

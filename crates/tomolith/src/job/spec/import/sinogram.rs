@@ -5,16 +5,16 @@
 
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns};
-use crate::io::npy::read_volume;
+use crate::io::npy::read_sinogram;
 use std::path::Path;
 use tomolith_core::parallel::table;
 
 /// The patterns of a sinogram that was saved as `.npy`.
 ///
 /// # Errors
-/// [`Error::Io`](crate::Error::Io), [`Error::Format`](crate::Error::Format) for a file that is no array of three dimensions, or holds a value below 0 or that is not finite.
+/// [`Error::Io`](crate::Error::Io), [`Error::Format`](crate::Error::Format) for a file that is no array of three dimensions, or is empty, or holds a value below 0 or that is not finite.
 pub fn sinogram(theirs: &Path) -> Result<Patterns> {
-    let ([columns, frames, rows], values) = read_volume(theirs)?;
+    let ([columns, frames, rows], values) = read_sinogram(theirs)?;
     if let Some(i) = values.iter().position(|v| !(v.is_finite() && *v >= 0.0)) {
         let place = [i / (frames * rows), i / rows % frames, i % rows];
         let found = format!("{} at {place:?}, as [u, angle, z]", values[i]);
@@ -48,6 +48,15 @@ mod tests {
         write_volume(&file, &volume, &Work::new()).unwrap();
         let refused = sinogram(&file).unwrap_err().to_string();
         assert!(refused.contains("-0.25 at [1, 0, 0]"), "{refused}");
+        for (shape, expected) in [
+            (&[0, 18, 12][..], "no values: shape [0, 18, 12]"),
+            (&[18, 12], "[u, angle, z]"),
+        ] {
+            let zeros = ndarray::ArrayD::<f32>::zeros(shape);
+            ndarray_npy::write_npy(&file, &zeros).unwrap();
+            let refused = sinogram(&file).unwrap_err().to_string();
+            assert!(refused.contains(expected), "{refused}");
+        }
     }
 
     #[test]

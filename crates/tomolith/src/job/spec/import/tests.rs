@@ -158,6 +158,20 @@ fn spots_about_corners_reach_as_far_along_the_wall_as_there() {
 }
 
 #[test]
+fn a_vial_inside_out_is_refused() {
+    let walls = r#"
+        "w_ext": 12.408 → "w_ext": 10.1 → vial.w_ext: found 10.1; accepted: more than the w_int of 10.191
+        "square", "w_int": 10.191, "w_ext": 12.408 → "cylindrical", "r_int": 5, "r_ext": 4 → vial.r_ext: found 4; accepted: more than the r_int of 5
+        "square", "w_int": 10.191, "w_ext": 12.408 → "double_cylindrical", "r_int_inner": 2, "r_ext_inner": 3, "r_int_outer": 3, "r_ext_outer": 6 → vial.r_int_outer: found 3
+    "#;
+    for [from, to, expected] in rows(walls) {
+        assert!(THEIRS.contains(from), "{from}");
+        let refused = import(&THEIRS.replace(from, to)).unwrap_err().to_string();
+        assert!(refused.starts_with(expected), "{refused}");
+    }
+}
+
+#[test]
 fn bodies_do_what_they_do_there() {
     let material = |bsdf: &str, reflections: bool| {
         let bsdf = format!("\"rod.ply\", \"bsdf\": {bsdf}");

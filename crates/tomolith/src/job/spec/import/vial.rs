@@ -47,40 +47,57 @@ pub(crate) fn vial(mut keys: Keys, reflections: bool, ours: &mut Ours) -> Result
     })
 }
 
+/// Numbers that must rise.
+fn rising<const N: usize>(keys: &mut Keys, names: [&'static str; N]) -> Result<[f64; N]> {
+    let mut numbers = [0.0; N];
+    for (i, name) in names.into_iter().enumerate() {
+        numbers[i] = keys.need_positive(name)?;
+        if i > 0 && numbers[i] <= numbers[i - 1] {
+            let accepted = format!("more than the {} of {}", names[i - 1], numbers[i - 1]);
+            return keys.wrong(name, numbers[i], &accepted);
+        }
+    }
+    Ok(numbers)
+}
+
 fn walls(kind: &str, keys: &mut Keys, ours: &Ours) -> Result<(&'static str, Value)> {
     Ok(match kind {
         "index_matched" => (
             "[vial.index_matched]",
             json!({ "radius_mm": keys.need_positive("r")? }),
         ),
-        "cylindrical" => (
-            "[vial.cylinder]",
-            json!({
-                "inner_radius_mm": keys.need_positive("r_int")?,
-                "outer_radius_mm": keys.need_positive("r_ext")?,
+        "cylindrical" => {
+            let [inner, outer] = rising(keys, ["r_int", "r_ext"])?;
+            let walls = json!({
+                "inner_radius_mm": inner,
+                "outer_radius_mm": outer,
                 "refractive_index": keys.need_positive("ior")?,
-            }),
-        ),
-        "square" => (
-            "[vial.square]",
-            json!({
-                "inner_width_mm": keys.need_positive("w_int")?,
-                "outer_width_mm": keys.need_positive("w_ext")?,
+            });
+            ("[vial.cylinder]", walls)
+        }
+        "square" => {
+            let [inner, outer] = rising(keys, ["w_int", "w_ext"])?;
+            let walls = json!({
+                "inner_width_mm": inner,
+                "outer_width_mm": outer,
                 "refractive_index": keys.need_positive("ior")?,
-            }),
-        ),
-        "double_cylindrical" => (
-            "[vial.double_tube]",
-            json!({
-                "outer_radius_mm": keys.need_positive("r_ext_outer")?,
-                "resin_outer_radius_mm": keys.need_positive("r_int_outer")?,
-                "resin_inner_radius_mm": keys.need_positive("r_ext_inner")?,
-                "inner_radius_mm": keys.need_positive("r_int_inner")?,
+            });
+            ("[vial.square]", walls)
+        }
+        "double_cylindrical" => {
+            let names = ["r_int_inner", "r_ext_inner", "r_int_outer", "r_ext_outer"];
+            let [inner, resin_inner, resin_outer, outer] = rising(keys, names)?;
+            let walls = json!({
+                "outer_radius_mm": outer,
+                "resin_outer_radius_mm": resin_outer,
+                "resin_inner_radius_mm": resin_inner,
+                "inner_radius_mm": inner,
                 "outer_refractive_index": keys.need_positive("ior_outer")?,
                 "inner_refractive_index": keys.need_positive("ior_inner")?,
                 "core_refractive_index": keys.need_positive("ior_inside_inner")?,
-            }),
-        ),
+            });
+            ("[vial.double_tube]", walls)
+        }
         "custom" => (
             "[vial.mesh]",
             json!({
