@@ -1,7 +1,7 @@
 //! `tomolith metrics`: all metrics of any dose against any target.
 
 use crate::arguments::{Manner, as_option};
-use crate::screen::{done, say};
+use crate::screen::{done, mutter, say};
 use clap::Args;
 use serde_json::{Value, json};
 use tomolith::error::above_zero;
@@ -102,7 +102,12 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     };
     found["unit_systems"] = json!(systems);
     found["lengths_in"] = unit.into();
+    let warning = of_negative(&given.dose, &dose);
+    found["warnings"] = json!(warning.iter().collect::<Vec<_>>());
     done(given.manner, found, || {
+        if let Some(text) = &warning {
+            mutter(&format!("{:>26} {text}", "warning"));
+        }
         show(&evaluation, &numbers, given.pitch_mm.is_some());
         systems.iter().flatten().for_each(show_system);
     });
@@ -200,6 +205,18 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
         )),
         None => Ok((shape, values)),
     }
+}
+
+/// What people should know of doses below 0.
+fn of_negative(source: &str, dose: &Volume<f32>) -> Option<String> {
+    let below = dose.values.iter().filter(|dose| **dose < 0.0).count();
+    let least = dose.values.iter().copied().fold(0.0, f32::min);
+    (below > 0).then(|| {
+        format!(
+            "{source}: {below} of {} doses are below 0, the least {least}: no light gives these; thresholds are looked for from the least one up",
+            dose.values.len()
+        )
+    })
 }
 
 /// A target's values from 0 to 1; those of a mask of 0 and one other number are 0 and 1.

@@ -193,6 +193,12 @@ fn anybodys_arrays_are_measured() {
         "metrics nan.npy target.npy",
         &["NaN at [0, 0, 1], as [z, y, x]"],
     );
+    bench.write("dark.npy", &doubles("2, 2", &[-0.2, 0.8, 0.9, -1.5]));
+    let expected = "dark.npy: 2 of 4 doses are below 0, the least -1.5";
+    bench.says(0, "metrics dark.npy target.npy", &["warning", expected]);
+    let warned = bench.json("metrics dark.npy target.npy")["warnings"].to_string();
+    assert!(warned.contains(expected), "{warned}");
+    assert_eq!(found["warnings"], serde_json::json!([]));
     bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
     bench.write("mask.npy", &doubles("2, 2", &[0.0, 255.0, 255.0, 0.0]));
     bench.write("one.npy", &doubles("2, 2", &[0.0, 1.0, 1.0, 0.0]));
