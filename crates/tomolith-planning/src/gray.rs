@@ -182,6 +182,15 @@ impl GrayCurve {
     /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or falls by more than a twentieth of white, when the form is negative or falls between 0 and
     /// top, with the range that is usable; when white was not measured.
     pub fn new(table: &Curve, top: f64, form: CurveForm) -> Result<Self> {
+        // A machine's table has single precision, and sums of squares need some room
+        let is_held = |v: &&f64| **v == 0.0 || (**v as f32).is_normal();
+        if let Some(value) = table.responses.iter().find(|v| !is_held(v)) {
+            return Err(Error::refused(
+                "irradiance",
+                concise(*value),
+                "0, and numbers from 1.2e-38 to 3.4e38",
+            ));
+        }
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
         let level = table.monotone();
         // Irradiances of gray values that cannot be say nothing

@@ -56,6 +56,8 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     bench.write("below.csv", "-20,-1\n128,3\n255,4\n");
     bench.write("one.csv", "128,3\n128,4\n");
     bench.write("words.csv", "gray,irradiance\n0,zero\n");
+    bench.write("huge.csv", "0,0\n100,1e300\n255,1e308\n");
+    bench.write("tiny.csv", "0,0\n100,1e-300\n255,1e-290\n");
     bench.refuse_each(&format!(
         "$ calibrate gray {visible} --form quadratic
         gray-visible.csv … usable from gray 86.15 to 239.06 … monotone
@@ -73,6 +75,10 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         --top … gray values from 0 to 200
         $ calibrate gray words.csv
         words.csv … line 2
+        $ calibrate gray huge.csv
+        huge.csv: irradiance: found 1e300 … 3.4e38
+        $ calibrate gray tiny.csv
+        tiny.csv: irradiance: found 1e-300 … 1.2e-38
         $ calibrate gray none.csv
         none.csv
         $ calibrate gray {uv} --output curve
