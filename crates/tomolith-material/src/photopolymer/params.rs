@@ -48,7 +48,7 @@ impl Curing {
 pub enum Initial {
     /// One value everywhere.
     Even(f64),
-    /// Values at heights `[z in mm, value]`, heights ascending; linear between, even beyond: an oxygen gradient along the vial.
+    /// Values at heights `[z in mm, value]`, heights ascending; linear between, constant beyond: an oxygen gradient along the vial.
     Axial(Vec<[f64; 2]>),
 }
 
