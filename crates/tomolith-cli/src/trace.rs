@@ -29,7 +29,8 @@ pub(crate) struct TraceArguments {
     /// Which light, from 0
     #[arg(long, default_value_t = 0)]
     light: usize,
-    /// Dose of these pixels at a value of 1: .npy [z, y, x], .vti, .nrrd, .tif, .ome.zarr, or .png of all slices, brightest = white
+    /// Dose of these pixels at a value of 1: .npy [z, y, x], .vti, .nrrd, .tif, .ome.zarr, or .png of all slices, brightest = white.
+    /// It is that of a few rays, whatever model the job has: against `parallel` a voxel may differ by half, the sum does not
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
