@@ -140,7 +140,7 @@ inBrowser("markup in names is shown as text", async () => {
 inBrowser("the head has the result, cards with unit and meaning, and where the largest deviation is", async () => {
   const page = await open(pageData());
   assert.equal(await text(page, "h1"), "wheel");
-  assert.match(await text(page, "#head .lead"), /IoU of 0\.9922\. Print time M\/t 0\.772 mm\./);
+  assert.match(await text(page, "#head .lead"), /IoU of 0\.9922\. Print time N·M\/t 0\.772 mm\./);
   assert.deepEqual(await page.$$eval(".card", (all) => all.map((card) => card.getAttribute("data-metric"))), ["iou", "pw", "hausdorff_mm", "over_mm3"]);
   assert.match(await text(page, '[data-metric="iou"]'), /^IoU 0\.9922 Volume in both print and part\.$/);
   assert.match(await text(page, '[data-metric="hausdorff_mm"]'), /39\.6 µm 0\.53 voxels\. .* x = 2\.35, y = −0\.338, z = −0\.0375 mm: print without target\./);

@@ -112,9 +112,9 @@ function report() {
     levels: { rounded_loss: 12, diffused_loss: null, loss: 10, scale: 0.9, steps: 5, calls: 20 },
     ceiling: {
       trade_off: [
-        { brightest: 1.21, time_mm: 1.54, time_s: null, iou: 0.863, ver: 0.0124, surface_mean_mm: 0.052, is_chosen: false, is_evaluated: false },
-        { brightest: 0.858, time_mm: 1.09, time_s: null, iou: 0.8714, ver: 0.0093, surface_mean_mm: 0.054, is_chosen: false, is_evaluated: false },
-        { brightest: 0.607, time_mm: 0.772, time_s: null, iou: 0.8696, ver: 0.0109, surface_mean_mm: null, is_chosen: true, is_evaluated: false },
+        { brightest: 1.21, print_time_mm: 1.54, time_s: null, iou: 0.863, ver: 0.0124, surface_mean_mm: 0.052, is_chosen: false, is_evaluated: false },
+        { brightest: 0.858, print_time_mm: 1.09, time_s: null, iou: 0.8714, ver: 0.0093, surface_mean_mm: 0.054, is_chosen: false, is_evaluated: false },
+        { brightest: 0.607, print_time_mm: 0.772, time_s: null, iou: 0.8696, ver: 0.0109, surface_mean_mm: null, is_chosen: true, is_evaluated: false },
       ],
     },
     scenarios: {

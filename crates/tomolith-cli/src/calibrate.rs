@@ -388,7 +388,7 @@ fn warn_of_loose(
 /// Warns of kinetics that the points leave open: a range wider than a factor of e, or than two thirds of the orders.
 fn warn_of_wide(answer: &mut Answer, ranges: Option<&[[f64; 2]; 4]>) {
     let Some([irradiance, supply, cure, order]) = ranges else {
-        answer.warn("the points do not fix every parameter: there are no ranges");
+        answer.warn("the points are too few, or do not fix every parameter: there are no ranges");
         return;
     };
     let is_wide = |[low, high]: &[f64; 2]| high / low > std::f64::consts::E;
@@ -403,7 +403,7 @@ fn warn_of_wide(answer: &mut Answer, ranges: Option<&[[f64; 2]; 4]>) {
     .collect();
     if !loose.is_empty() {
         answer.warn(format!(
-            "the points do not fix {}: numbers within the ranges in brackets fit about as well; measure at lower irradiances, at which the inhibitor takes most of the time, and more points",
+            "the points do not fix {}: numbers within the ranges in brackets fit about as well; measure more points, and at lower irradiances, at which the inhibitor takes most of the time",
             loose.join(" and ")
         ));
     }

@@ -198,9 +198,8 @@ fn spans_of_frames(schedule: &Schedule, light: usize, frames: Range<usize>) -> R
         return Err(Error::config(
             format!("light[{light}].turns"),
             format!(
-                "frames {} to {} are never shown",
-                frames.start,
-                frames.end - 1
+                "some of its frames are never shown, such as frame {}",
+                frames.start
             ),
             "a schedule that shows every frame: at least one turn",
         ));

@@ -198,7 +198,7 @@ mod tests {
         let names: Vec<&str> = METRICS.iter().map(|m| m.name).collect();
         let surfaces = "surface_mean_mm surface_p95_mm hausdorff_mm";
         let gray = "in_band rms_error max_error_part max_error_void";
-        let others = "iou best_threshold ver pw ipdr gamma eta time_mm cv over_mm3 under_mm3";
+        let others = "iou best_threshold ver pw ipdr gamma eta print_time_mm cv over_mm3 under_mm3";
         let listed = format!("{others} {surfaces} {gray}");
         assert_eq!(names.join(" "), listed, "a new metric is listed here, too");
     }

@@ -74,7 +74,7 @@ pub struct TradeOff {
     /// The brightest pixel, in the unit of patterns.
     pub brightest: f64,
     /// N·M/t, mm.
-    pub time_mm: Option<f64>,
+    pub print_time_mm: Option<f64>,
     /// Where the job's power and critical dose are known.
     pub time_s: Option<f64>,
     /// IoU.
@@ -90,63 +90,86 @@ pub struct TradeOff {
     pub is_evaluated: bool,
 }
 
+/// What a run prints of a species, and over which exposures.
+#[derive(Clone, Copy, Debug)]
+pub struct RunPrint<'a> {
+    /// Its numbers.
+    pub evaluation: &'a Evaluation,
+    /// The exposures, where they are known.
+    pub exposure: Option<&'a ExposureWindow>,
+}
+
+impl RunPrint<'_> {
+    /// A number at the best exposure; None where the report's is that of another one.
+    fn at_best(&self, name: &str) -> Option<f64> {
+        let reported = self.exposure?.reported_percent?;
+        let value = self.evaluation.measures.get(name);
+        value.filter(|v| v.is_finite() && (reported - 100.0).abs() < 1e-7)
+    }
+}
+
 impl CeilingReport {
-    /// The ceilings that were tried, the longest print first, with the times of a run that ended with this evaluation and these
-    /// exposures.
+    /// The ceilings that were tried, the longest print first, with the times of a run that ended with these prints, one a species, and with this brightest pixel.
     #[must_use]
-    pub fn trade_off(
-        &self,
-        evaluation: &Evaluation,
-        exposure: Option<&ExposureWindow>,
-    ) -> Vec<TradeOff> {
-        let of_run = |name| evaluation.measures.get(name).filter(|v| v.is_finite());
+    pub fn trade_off(&self, prints: &[RunPrint<'_>], brightest: f64) -> Vec<TradeOff> {
+        let Some(RunPrint {
+            evaluation,
+            exposure,
+        }) = prints.first()
+        else {
+            return Vec::new();
+        };
         // All at the best exposure, which is not the reported one where the job names a threshold
         let dose = exposure.and_then(|window| window.dose?.best);
         let seconds = exposure.and_then(|window| window.time_s?.best);
-        let reported = exposure
-            .and_then(|window| window.reported_percent)
-            .map(|percent| percent / 100.0);
-        let known = of_run("time_mm").zip(dose).zip(reported);
-        let of_patterns =
-            known.map(|((mm, dose), reported)| mm * dose / reported * self.brightest / self.white);
-        let at = |brightest: f64| TradeOff {
+        let mm = evaluation
+            .measures
+            .get("print_time_mm")
+            .filter(|v| v.is_finite());
+        let known = mm
+            .zip(dose)
+            .zip(exposure.and_then(|window| window.reported_percent));
+        let white_of_run = known.map(|((mm, dose), percent)| mm * dose / percent * 100.0);
+        let at = |brightest: f64, white: f64| TradeOff {
             brightest,
-            time_mm: dose.map(|dose| brightest / dose * self.white / self.brightest),
+            print_time_mm: dose.map(|dose| white / dose),
             time_s: seconds
-                .zip(of_patterns)
-                .map(|(s, most)| s * brightest / most),
+                .zip(white_of_run)
+                .map(|(s, of_run)| s * white / of_run),
             ..TradeOff::default()
         };
         let changed_by = self.finest.as_ref().map_or(1.0, |trial| trial.changed_by);
         let is_changed = (changed_by - 1.0).abs() > 1e-9;
         let tried = |(i, point): (usize, &CeilingPoint)| {
-            let worst = |i: usize, worse: fn(f64, f64) -> f64| {
-                let values = point.qualities.iter().map(|quality| quality.numbers()[i]);
+            let of_point = |k: usize, worse: fn(f64, f64) -> f64| {
+                let values = point.qualities.iter().map(|quality| quality.numbers()[k]);
                 values.filter(|value| value.is_finite()).reduce(worse)
             };
             TradeOff {
-                iou: worst(0, f64::min),
-                ver: worst(1, f64::max),
-                surface_mean_mm: worst(2, f64::max),
+                iou: of_point(0, f64::min),
+                ver: of_point(1, f64::max),
+                surface_mean_mm: of_point(2, f64::max),
                 is_chosen: self.chosen == Some(i) && !is_changed,
-                ..at(self.brightest * point.factor)
+                ..at(self.brightest * point.factor, self.white * point.factor)
             }
         };
         // Its brightest pixel may lie below its ceiling
-        let brightest = match self.chosen {
+        let white = match self.chosen {
             Some(_) if !is_changed => None,
-            Some(i) => of_patterns.or(Some(self.brightest * self.points[i].factor * changed_by)),
-            None => of_patterns,
+            Some(i) => white_of_run.or(Some(self.white * self.points[i].factor * changed_by)),
+            None => white_of_run,
         };
-        let is_best = reported.is_some_and(|exposure| (exposure - 1.0).abs() < 1e-9);
-        let at_best = |name| of_run(name).filter(|_| is_best);
-        let run_row = brightest.map(|brightest| TradeOff {
-            iou: exposure.map(|window| window.best),
-            ver: at_best("ver"),
-            surface_mean_mm: at_best("surface_mean_mm"),
+        let of_run = |value: fn(&RunPrint<'_>) -> Option<f64>, worse: fn(f64, f64) -> f64| {
+            let values: Option<Vec<f64>> = prints.iter().map(value).collect();
+            values?.into_iter().reduce(worse)
+        };
+        let run_row = white.map(|white| TradeOff {
+            iou: of_run(|print| print.exposure.map(|window| window.best), f64::min),
+            ver: of_run(|print| print.at_best("ver"), f64::max),
+            surface_mean_mm: of_run(|print| print.at_best("surface_mean_mm"), f64::max),
             is_chosen: true,
             is_evaluated: true,
-            ..at(brightest)
+            ..at(brightest, white)
         });
         let tried = self.points.iter().enumerate().map(tried);
         let mut rows: Vec<TradeOff> = tried.chain(run_row).collect();
@@ -237,8 +260,11 @@ pub fn gap_sentence(gap: Gap) -> Option<String> {
 
 /// How long a print takes, in a sentence: N·M/t, and how many times an even exposure where its dose is known. None for prints without a time.
 #[must_use]
-pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> Option<String> {
-    let time = time_mm?;
+pub fn time_sentence(
+    print_time_mm: Option<f64>,
+    ceiling: Option<&CeilingReport>,
+) -> Option<String> {
+    let time = print_time_mm?;
     let even = ceiling
         .map(|ceiling| time * ceiling.even_dose * ceiling.brightest / ceiling.white)
         .filter(|times| times.is_finite() && *times > 0.0);
@@ -298,10 +324,16 @@ mod tests {
         let mut evaluation = Sample::new().evaluation();
         let dose = evaluation.gel_threshold.unwrap();
         let measures = evaluation.measures.0.iter_mut();
-        let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(50.0 / dose));
+        let print_time_mm = measures.filter(|(name, _)| *name == "print_time_mm");
+        print_time_mm.for_each(|(_, value)| *value = Some(50.0 / dose));
         let window = ExposureWindow::new(&evaluation, &Identity, Some(30.0)).unwrap();
-        let rows = |by: f64| ceiling(by).trade_off(&evaluation, Some(&window));
+        fn print<'a>(evaluation: &'a Evaluation, window: &'a ExposureWindow) -> RunPrint<'a> {
+            RunPrint {
+                evaluation,
+                exposure: Some(window),
+            }
+        }
+        let rows = |by: f64| ceiling(by).trade_off(&[print(&evaluation, &window)], 5.0);
         let chosen = |rows: &[TradeOff]| rows.iter().position(|row| row.is_chosen);
         let same = rows(1.0);
         assert_eq!((same.len(), chosen(&same)), (3, Some(1)));
@@ -315,29 +347,43 @@ mod tests {
         assert_eq!(raised[1].ver, of_run("ver"));
         // The run itself takes 30 s: its brightest pixel of 5 counts, not a ceiling of 6 that none reaches
         near!(raised[1].brightest, 5.0, 1e-9);
-        near!(raised[1].time_mm.unwrap(), 50.0 / dose, 1e-9);
+        near!(raised[1].print_time_mm.unwrap(), 50.0 / dose, 1e-9);
         near!(raised[1].time_s.unwrap(), 30.0, 1e-9);
         near!(raised[0].time_s.unwrap(), 30.0 * 8.0 / 5.0, 1e-9);
+        // Of two species the worse
+        let mut other = evaluation.clone();
+        let ver = other
+            .measures
+            .0
+            .iter_mut()
+            .filter(|(name, _)| *name == "ver");
+        ver.for_each(|(_, value)| *value = Some(0.7));
+        let both = [print(&evaluation, &window), print(&other, &window)];
+        assert_eq!(ceiling(1.5).trade_off(&both, 5.0)[1].ver, Some(0.7));
         // The bound of the start is not what was tried on wider pixels
         let without = CeilingReport {
             chosen: None,
             finest: None,
             ..ceiling(1.0)
         };
-        let rows = without.trade_off(&evaluation, Some(&window));
+        let rows = without.trade_off(&[print(&evaluation, &window)], 5.0);
         let chosen = rows.iter().find(|row| row.is_chosen).unwrap();
         assert!(chosen.is_evaluated && rows.len() == 4);
-        near!(chosen.time_mm.unwrap(), 50.0 / dose, 1e-9);
+        near!(chosen.print_time_mm.unwrap(), 50.0 / dose, 1e-9);
         // Of a job that names a threshold 4/5 as high the print in the report lasts a quarter longer than the best one
         evaluation.gel_threshold = evaluation.gel_threshold.map(|best| 0.8 * best);
         let measures = evaluation.measures.0.iter_mut();
-        let time_mm = measures.filter(|(name, _)| *name == "time_mm");
-        time_mm.for_each(|(_, value)| *value = Some(50.0 / (0.8 * dose)));
+        let print_time_mm = measures.filter(|(name, _)| *name == "print_time_mm");
+        print_time_mm.for_each(|(_, value)| *value = Some(50.0 / (0.8 * dose)));
         let reported = ExposureWindow::new(&evaluation, &Identity, Some(37.5)).unwrap();
-        let named = without.trade_off(&evaluation, Some(&reported));
+        let named = without.trade_off(&[print(&evaluation, &reported)], 5.0);
         for (named, best) in named.iter().zip(&rows) {
             near!(named.brightest, best.brightest, 1e-9);
-            near!(named.time_mm.unwrap(), best.time_mm.unwrap(), 1e-9);
+            near!(
+                named.print_time_mm.unwrap(),
+                best.print_time_mm.unwrap(),
+                1e-9
+            );
             near!(named.time_s.unwrap(), best.time_s.unwrap(), 1e-9);
         }
     }

@@ -20,7 +20,8 @@ pub mod species;
 pub mod time;
 
 pub use ceiling::{
-    CeilingPoint, CeilingQuality, CeilingReport, FinestTrial, TradeOff, gap_sentence, time_sentence,
+    CeilingPoint, CeilingQuality, CeilingReport, FinestTrial, RunPrint, TradeOff, gap_sentence,
+    time_sentence,
 };
 /// What `report.json` says that it is.
 pub const SCHEMA: &str = "tomolith.report/1";
@@ -238,7 +239,18 @@ pub const OBSTACLE: u8 = 3;
 impl ReportData<'_> {
     /// Quality against time, where the run looked for a ceiling of its pixels.
     fn trade_off(&self) -> Vec<TradeOff> {
-        let rows_of = |ceiling: &CeilingReport| ceiling.trade_off(self.evaluation, self.exposure);
+        let first = RunPrint {
+            evaluation: self.evaluation,
+            exposure: self.exposure,
+        };
+        let others = self.species.iter().skip(1).map(|species| RunPrint {
+            evaluation: species.evaluation,
+            exposure: species.exposure.as_ref(),
+        });
+        let prints: Vec<RunPrint<'_>> = std::iter::once(first).chain(others).collect();
+        let scales = self.lights.iter().map(|light| f64::from(light.full_scale));
+        let brightest = scales.fold(0.0, f64::max);
+        let rows_of = |ceiling: &CeilingReport| ceiling.trade_off(&prints, brightest);
         self.ceiling.map_or_else(Vec::new, rows_of)
     }
 

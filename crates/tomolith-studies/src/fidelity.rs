@@ -250,7 +250,7 @@ fn line(title: &str, report: &Value, pitch: f64, seconds: f64) -> String {
         "| {title} | {:.4} | {:.4} | {:.3} | {:.3}, {:.3} | {:.2}, {:.1} | {:.3}, {:.2} | {seconds:.1} |",
         evaluation("iou"),
         evaluation("ver"),
-        evaluation("time_mm"),
+        evaluation("print_time_mm"),
         published("pw_trimmed"),
         published("ipdr_trimmed"),
         1e3 * mean,

@@ -277,15 +277,17 @@ const ARITHMETIC: &str = "arithmetic on numbers and names of axes, such as \"1 -
 const EQUATION: &str = "an equation in names of the first two axes, such as \"lower = 0.75*upper\"";
 const COMPARISON: &str = "a comparison, such as \"lower < upper\"";
 
-/// A whole number without a point, for keys that count.
+/// A whole number without a point, for keys that count, and without what rounding leaves of a formula.
 fn number(value: f64) -> Value {
     const EXACT: f64 = (1u64 << 53) as f64;
-    if value.fract() == 0.0 && value.abs() < EXACT {
-        Value::from(value as i64)
+    let whole = value.round();
+    if (value - whole).abs() <= 1e-12 * value.abs() && value.abs() < EXACT {
+        Value::from(whole as i64)
     } else {
         Value::from(value)
     }
 }
+
 fn conditions(texts: &[String], at: &str) -> Result<Vec<Condition>> {
     let parse = |(i, text): (usize, &String)| {
         text.parse().map_err(|found| {

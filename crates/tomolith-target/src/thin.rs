@@ -1,8 +1,10 @@
 //! Walls and gaps that are too thin for the voxels of a grid.
 //!
 //! A voxel is part where at least half of it is inside. At a surface some voxel beside it always is; a wall thinner than half a voxel leaves shares in voxels
-//! without any such neighbor, and a narrow gap leaves them in voxels without one that is void. What is in those voxels is in no label, so neither the
-//! optimization nor a metric knows of it.
+//! without any such neighbor, and a narrow gap leaves them in voxels without one that is void. What is in those voxels is in no label, so no metric knows of it. An
+//! objective that weighs inside fractions still aims at it.
+//!
+//! **Limits** A wall that crosses voxels at an angle keeps some of them; what it loses beside those is not counted.
 //!
 //! A sheet of 0.2 voxels is all in its voxels, and none of it is part:
 //! ```

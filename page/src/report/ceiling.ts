@@ -19,7 +19,7 @@ export function ceiling({ run }: Context): HTMLElement | null {
   if (rows.length === 0 && !run.texts?.ceiling) return null;
   const inSeconds = rows.length > 0 && rows.every((row) => isNumber(row.time_s));
   const x: Axis = inSeconds ? { label: "print time", unit: "s", from: 0 } : { label: "print time N·M/t", unit: "mm", from: 0 };
-  const time = (row: TradeOff) => (inSeconds ? row.time_s : row.time_mm);
+  const time = (row: TradeOff) => (inSeconds ? row.time_s : row.print_time_mm);
   const plots = [
     plot("IoU", rows, x, time, (row) => row.iou),
     plot("VER", rows, x, time, (row) => row.ver),
@@ -57,7 +57,7 @@ function table(rows: readonly TradeOff[]): HTMLElement | null {
   const hasSeconds = rows.some((row) => isNumber(row.time_s));
   const cells = (row: TradeOff) => [
     [significant(row.brightest, 3), row.is_chosen && " (taken)"].filter(Boolean).join(""),
-    quantity(row.time_mm, "", 3),
+    quantity(row.print_time_mm, "", 3),
     ...(hasSeconds ? [quantity(row.time_s, "", 3)] : []),
     quantity(row.iou, "", 4),
     quantity(row.ver, "", 3),

@@ -7,6 +7,7 @@ import type { Measure } from "./number.ts";
 
 export interface Report {
   part?: string;
+  is_toy?: boolean | null;
   evaluation?: Evaluation | null;
   optimization?: (Evaluation & { objectives?: Objective[] | null }) | null;
   exposure?: Exposure | null;
@@ -120,7 +121,7 @@ export interface Levels { rounded_loss?: Measure; diffused_loss?: Measure; loss?
 
 export interface TradeOff {
   brightest?: Measure;
-  time_mm?: Measure;
+  print_time_mm?: Measure;
   time_s?: Measure;
   iou?: Measure;
   ver?: Measure;

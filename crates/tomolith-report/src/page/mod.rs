@@ -37,7 +37,7 @@ pub const SCHEMA: &str = "tomolith.page/2";
 /// Numbers at the head of the page.
 const HEADLINE: [&str; 9] = [
     "iou",
-    "time_mm",
+    "print_time_mm",
     "pw",
     "ver",
     "gamma",

@@ -31,10 +31,10 @@ pub(super) struct Texts<'a> {
 
 impl<'a> Texts<'a> {
     pub(super) fn of(data: &'a ReportData<'a>) -> Self {
-        let time_mm = data.evaluation.measures.get("time_mm");
+        let print_time_mm = data.evaluation.measures.get("print_time_mm");
         Texts {
             lead: sentence(data.evaluation) + &first_of(data),
-            print_time: time_sentence(time_mm, data.ceiling),
+            print_time: time_sentence(print_time_mm, data.ceiling),
             facts: facts(data),
             exposure: exposures(data),
             limits: limits(data),

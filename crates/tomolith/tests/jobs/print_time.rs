@@ -72,7 +72,7 @@ fn a_print_of_few_turns_is_warned_of() {
     tomolith_core::contains!(
         at("output.rpm=1"),
         text,
-        "output.rpm = 5 or more takes three turns"
+        "Set output.rpm = 5 or more for three turns"
     );
     assert!(!at("output.rpm=5").contains(text));
 }
@@ -83,6 +83,6 @@ fn a_print_of_hours_is_warned_of() {
         let power = format!("printer.peak_irradiance_mw_per_cm2={power}");
         report_of(&["printer.time_s=1e6", &power]).to_string()
     };
-    let text = "hours, and resin keeps still for minutes";
+    let text = " h, and resin keeps still for minutes";
     assert!(at("0.001").contains(text) && !at("10").contains(text));
 }

@@ -2,7 +2,7 @@
 
 import type { Metric, PageData, SweepData, SweepRow, SweepValue } from "../../data.ts";
 import { place, type Scale, viridis } from "../../paint.ts";
-import { isNumber, NONE, significant } from "../number.ts";
+import { isNumber, NONE, significant, unitOf } from "../number.ts";
 import { isObject } from "../schema.ts";
 
 /** A range of positive values is logarithmic when its ends differ by this factor. */
@@ -141,5 +141,5 @@ function metricOf(name: string, at: number, metrics: PageData["metrics"]): Colum
   const known = rest.length === 0 && (table === "evaluation" || table === "optimization") ? metrics.find((metric) => metric.name === own) : undefined;
   if (!known) return { name, at, title: name, unit: "", summary: "", better: "none" };
   const title = table === "evaluation" ? known.title : `${known.title} (${table})`;
-  return { name, at, title, unit: known.unit === "response" ? "" : known.unit, summary: known.summary, better: known.better };
+  return { name, at, title, unit: unitOf(known.unit).factor === 1 ? unitOf(known.unit).unit : known.unit, summary: known.summary, better: known.better };
 }

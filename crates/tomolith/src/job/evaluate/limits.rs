@@ -73,7 +73,7 @@ impl Asked<'_> {
             };
         }
         let mut limits = self.measurements(s, print).limits();
-        let has_time = evaluation.measures.get("time_mm").is_some();
+        let has_time = evaluation.measures.get("print_time_mm").is_some();
         let of_time = self.optimized.filter(|_| s == 0 && has_time);
         let kind = headline(evaluation.half_width.is_some());
         let of_time =
@@ -372,8 +372,8 @@ impl Measurements {
                     "{found} The machine's pixels are {} mm wide, and those of the light no whole number of them.",
                     exact(pitch_mm)
                 );
-                let action = "Make that a multiple of the machine's:";
-                return Some(self.limit(Cause::Levels, loss, &self.pixel_key, found, action));
+                let action = format!("Set to a multiple of {} mm", exact(pitch_mm));
+                return Some(self.limit(Cause::Levels, loss, &self.pixel_key, found, &action));
             }
             let action = "Bring the pixels of machine and light together (offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
@@ -483,23 +483,26 @@ impl Measurements {
             return [None, None];
         };
         let is_lit = !self.has_few_angles && self.lacking().is_none();
-        // As many iterations more lower the loss by no more than these did
+        // Half as many iterations more, each quarter of which lowers the loss by the same share
+        let share = |fall: Fall| 1.0 - (1.0 - fall.share).powi(2);
         let falling = self.falling.filter(|_| is_lit);
         let iterations = falling.map(|Falling { fall, key }| {
             let found = format!(
-                "The loss function still fell by {} % in the last {} of {}: more may recover as much of what the patterns lack.",
+                "The loss function still fell by {} % in the last {} of {}: more may recover a part of what the patterns lack.",
                 significant(100.0 * fall.share, 2),
                 fall.last,
                 counted(fall.all, "iteration")
             );
-            self.limit(Cause::Iterations, fall.share * of_rest, key, found, "Raise")
+            self.limit(Cause::Iterations, share(fall) * of_rest, key, found, "Raise")
         });
-        let of_light = of_rest * falling.map_or(1.0, |falling| 1.0 - falling.fall.share);
+        let of_light = of_rest * falling.map_or(1.0, |falling| 1.0 - share(falling.fall));
         let rest = match of_rest >= WORTH_CHANGING {
             true if self.is_simulated => "; the rest is due to the given patterns.",
             true if self.has_level_heights => {
                 "; rows are scaled so that all heights are done at the same time, which this dose does not count. What prints is told by the print in time."
             }
+            true if of_light < 0.5 * of_rest => "; a part of the rest is the limit of this light.",
+            true if falling.is_some() => "; most of the rest is the limit of this light.",
             true => "; the rest is the limit of this light.",
             false if lost >= WORTH_CHANGING => ": the other causes take what it lacks.",
             false => ": there is nothing left to improve.",
@@ -672,7 +675,7 @@ impl Measurements {
             Cause::Exposure => "change",
             Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
             Cause::Levels if limit.key == self.pixel_key => {
-                "make a multiple of the machine's pixels:"
+                "set to a multiple of the machine's pixels"
             }
             Cause::Levels if limit.key == "printer" => {
                 "bring the pixels of machine and light together in"

@@ -393,12 +393,15 @@ fn doubts_of(
     progress: &mut dyn Progress,
 ) -> Result<Vec<String>> {
     let evaluation = &prints[0].evaluation;
-    let finer = prints.iter().filter(|_| !job.sees_own_voxels());
     let of_paths = noise.map(|noise| format!("Monte Carlo paths: {noise}"));
     let of_orders = agreement.map(|agreement| format!("scattering by orders: {agreement}"));
     for text in of_paths.into_iter().chain(of_orders) {
         progress.event(&Event::Note { text });
     }
+    let too_thin = match job.sees_own_voxels() {
+        true => Vec::new(),
+        false => job.too_thin(prints.iter().map(|print| &print.fine.target)),
+    };
     let warnings: Vec<String> = noise
         .and_then(|noise| noise.warning())
         .into_iter()
@@ -409,7 +412,7 @@ fn doubts_of(
         .chain(doubts::of_background(job, shown))
         .chain(doubts::of_threshold(job, evaluation))
         .chain(too_bright(job, shown)?)
-        .chain(job.too_thin(finer.map(|print| &print.fine.target)))
+        .chain(too_thin)
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });

@@ -34,6 +34,9 @@ const HEADROOM: f64 = 1.2;
 /// Turns below which it shows that a print ends within one: some sides have then shone a half more often than others.
 const FEW_TURNS: f64 = 3.0;
 
+/// Share by which turns may miss a whole number.
+const WHOLE: f64 = 0.01;
+
 /// A print that takes longer than this, s, is none: published ones take seconds to minutes.
 const LONG_S: f64 = 1800.0;
 
@@ -70,7 +73,10 @@ pub(crate) struct Shown<'a> {
 impl<'a> Shown<'a> {
     /// What people should know of the time to print; `is_held`: nearly all pixels are as bright as they may be.
     pub(crate) fn warnings(&self, is_held: bool) -> Vec<String> {
-        let few_turns = self.lights.iter().find_map(|light| self.few_turns(light));
+        let lights = self.lights.iter().enumerate();
+        let few_turns = lights
+            .filter_map(|(i, light)| self.few_turns(i, light))
+            .next();
         let of_print = self.overrun(is_held).into_iter().chain(self.hours());
         of_print.chain(few_turns).collect()
     }
@@ -81,7 +87,7 @@ impl<'a> Shown<'a> {
         let seconds: f64 = times.sum::<Option<f64>>()?;
         (seconds > LONG_S).then(|| {
             format!(
-                "the print takes {} hours, and resin keeps still for minutes: the part sinks, and what reacts goes on without light. Look at the units of printer.peak_irradiance_mw_per_cm2 and \
+                "the print takes {} h, and resin keeps still for minutes: the part sinks, and what reacts goes on without light. Look at the units of printer.peak_irradiance_mw_per_cm2 and \
                  resin.critical_dose_mj_per_mm3, or use a resin that absorbs less, or a brighter projector",
                 significant(seconds / 3600.0, 3)
             )
@@ -89,20 +95,25 @@ impl<'a> Shown<'a> {
     }
 
     /// Warns of a print that ends before the vial has turned a few times, which no schedule counts on.
-    fn few_turns(&self, light: &ShownLight) -> Option<String> {
+    fn few_turns(&self, i: usize, light: &ShownLight) -> Option<String> {
         let budget = light.budget;
         let turns = budget.turns.filter(|turns| *turns < FEW_TURNS)?;
-        if light.irradiance.is_some() {
+        let is_whole = turns > 0.5 && (turns - turns.round()).abs() < WHOLE * turns;
+        if light.irradiance.is_some() || is_whole {
             return None;
         }
         let enough = self.showing.rpm() * FEW_TURNS / turns;
         let advice = if enough <= FASTEST_RPM {
-            format!("output.rpm = {} or more takes three turns", enough.ceil())
+            format!("Set output.rpm = {} or more for three turns", enough.ceil())
         } else {
-            "a lower printer.peak_irradiance_mw_per_cm2 takes more turns".to_owned()
+            "Lower printer.peak_irradiance_mw_per_cm2 for more turns".to_owned()
+        };
+        let name = match self.lights.len() {
+            1 => "the print".to_owned(),
+            _ => format!("light[{i}]"),
         };
         Some(format!(
-            "the print takes {} s, {} turns of the vial: it ends within a turn, so some sides have shone more often than others, and the part comes out uneven. \
+            "{name} takes {} s, {} turns of the vial: it ends within a turn, so some sides have shone more often than others, and the part comes out uneven. \
              {advice}; `tomolith expose` plans whole turns",
             significant(budget.time_s?, 3),
             significant(turns, 3)

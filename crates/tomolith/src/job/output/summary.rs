@@ -480,7 +480,7 @@ pub(crate) fn summary(
         one_moment: done.evaluated.in_time.as_ref().and_then(InTime::together),
         scenarios: done.evaluated.scenarios.clone(),
         print_time: time_sentence(
-            first.evaluation.measures.get("time_mm"),
+            first.evaluation.measures.get("print_time_mm"),
             optimized.and_then(|o| Some(&o.ceiling.as_ref()?.report)),
         ),
         limits: headline.limits.into_iter().next().unwrap_or_default(),

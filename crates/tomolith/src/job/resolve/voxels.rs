@@ -41,8 +41,8 @@ impl Voxels {
     }
 }
 
-/// Share of the part from which on walls and gaps that voxels leave out are worth a word.
-const THIN: f64 = 1e-3;
+/// Share of the part from which on walls and gaps that voxels leave out are worth a word: parts that voxels resolve have less than a tenth of it, a closed channel more.
+const THIN: f64 = 2e-4;
 
 /// Warns of a target with walls or gaps that its voxels leave out; gray values are no shape.
 fn of_thin(target: &Target) -> Option<String> {
@@ -63,7 +63,7 @@ fn of_thin(target: &Target) -> Option<String> {
         (true, true) => format!("{of_walls} and {of_gaps}"),
     };
     Some(format!(
-        "{what} are too thin for voxels of {} mm: a voxel is part from one half on, so the target leaves them out, and the numbers of the print do not tell of them. \
+        "{what} are too thin for voxels of {} mm: a voxel counts as part from one half on, so IoU, VER and the other numbers of the print leave them out. \
          Use voxels no wider than they are (grid.pitch_mm)",
         concise(target.inside.grid.pitch_mm)
     ))

@@ -71,8 +71,9 @@ pub(crate) fn open(root: &mut Value) {
     }
 }
 
-/// Puts the numbers of profiles in place of their names; keys of the job stand above those of the profile.
-pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
+/// Puts the numbers of profiles in place of their names; keys of the job stand above those of the profile. Refuses a profile of the command line that changes
+/// nothing, because the job's file has all of its keys; `is_option` says which keys come from there.
+pub(crate) fn fill(root: &mut Value, base: &Path, is_option: impl Fn(&str) -> bool) -> Result<()> {
     open(root);
     for table in TABLES {
         let Some(value) = root.get_mut(table) else {
@@ -94,14 +95,16 @@ pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
             ));
         };
         let mut keys = keys_of(table, name, base)?;
-        if !keys.is_empty() && keys.keys().all(|key| given.contains_key(key)) {
-            let all: Vec<&str> = keys.keys().map(String::as_str).collect();
+        let is_of_file =
+            |key: &String| given.contains_key(key) && !is_option(&format!("{table}.{key}"));
+        if is_option(&format!("{table}.profile")) && keys.keys().all(is_of_file) {
             return Err(Error::config(
                 format!("{table}.profile"),
-                format!("the job itself has all keys of {name:?}, so the profile changes nothing"),
                 format!(
-                    "a profile without some of these keys in [{table}]: {}; `--set {table}=\"{name}\"` takes it in place of the table",
-                    all.join(", ")
+                    "the job has all keys of {name:?}, which stand above those of a profile: it would change nothing"
+                ),
+                format!(
+                    "`--set {table}=\"{name}\"`, which takes the profile in place of the job's table"
                 ),
             ));
         }
@@ -208,22 +211,40 @@ mod tests {
     fn what_is_no_profile_is_refused_with_the_nearest() {
         let place = tempfile::tempdir().unwrap();
         std::fs::write(place.path().join("wrong.toml"), "absorbtion_per_mm = 0.3\n").unwrap();
-        std::fs::write(place.path().join("ours.toml"), "absorption_per_mm = 0.3\n").unwrap();
         for (change, words) in [
             ("resin=\"sr399-tp\"", "did you mean `sr399-tpo`?"),
             ("resin={ profile = 3 }", "resin.profile"),
             ("resin=\"none.toml\"", "none.toml"),
             ("resin=\"wrong.toml\"", "absorbtion_per_mm"),
             ("printer=\"sr399-tpo\"", "opencal"),
-            (
-                "resin={ profile = \"ours.toml\", absorption_per_mm = 0.2 }",
-                "changes nothing",
-            ),
         ] {
             let found = job(&["resin=\"sr399-tpo\"", change], place.path());
             let found = found.map(drop).unwrap_err().to_string();
             assert!(found.contains(words), "{change}: {found}");
         }
+    }
+
+    #[test]
+    fn a_profile_of_the_command_line_changes_something() {
+        let place = tempfile::tempdir().unwrap();
+        std::fs::write(place.path().join("ours.toml"), "absorption_per_mm = 0.3\n").unwrap();
+        let with = |options: &[&str]| {
+            let text = "[resin]\nrefractive_index = 1.5\nabsorption_per_mm = 0.1\n";
+            let mut document = Document::toml(place.path().join("job.toml"), text).unwrap();
+            for option in options {
+                document.set(option).unwrap();
+            }
+            let mut root = document.root.clone();
+            fill(&mut root, place.path(), |key| {
+                document.option(key).is_some()
+            })
+        };
+        let named = "resin.profile=\"ours.toml\"";
+        let refused = with(&[named]).unwrap_err().to_string();
+        assert!(refused.contains("it would change nothing"), "{refused}");
+        // Options are what the user asks for beside it
+        with(&[named, "resin.absorption_per_mm=0.2"]).unwrap();
+        with(&["resin=\"ours.toml\""]).unwrap();
     }
 
     #[test]

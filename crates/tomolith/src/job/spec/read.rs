@@ -76,7 +76,10 @@ impl Job {
     /// As [`from_document`](Self::from_document).
     pub fn with_models(mut document: Document, models: &'static [ModelKind]) -> Result<Self> {
         let base = base_of(&document);
-        profiles::fill(&mut document.root, &base).map_err(|e| document.locate(e))?;
+        let mut root = document.root.clone();
+        let filled = profiles::fill(&mut root, &base, |key| document.option(key).is_some());
+        filled.map_err(|e| document.locate(e))?;
+        document.root = root;
         let spec = JobSpec::from_document(&document).and_then(|spec| {
             validate::tables(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)

@@ -35,7 +35,7 @@ impl JobSpec {
                 Ok(())
             })?;
         }
-        profiles::fill(&mut root, base)?;
+        profiles::fill(&mut root, base, |_| false)?;
         let spec: JobSpec = Section::new("", root).parse().map_err(with_example)?;
         validate::tables(&spec)?;
         Ok(spec)
