@@ -55,7 +55,7 @@ fn sentence(row: &TradeOff) -> String {
     format!(
         "{:.4}, {} mm{}, {}, {}, {} µm{}",
         row.brightest,
-        number(row.print_time_mm, 3),
+        (row.print_time_mm).map_or_else(|| "–".to_owned(), |mm| significant(mm, 3)),
         seconds.unwrap_or_default(),
         number(row.iou, 4),
         number(row.ver, 4),
