@@ -22,6 +22,9 @@ impl Plateau {
     }
 }
 
+/// Share of an IoU above which another is near it.
+const NEAR: f64 = 0.95;
+
 /// Length of what of a run of thresholds lies in [0, 1].
 fn within_unit((from, to): &(f64, f64)) -> f64 {
     to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0)
@@ -41,7 +44,7 @@ impl Fraction {
         left.cmp(&(num * u128::from(other.above) * u128::from(self.below)))
     }
 
-    /// Whether self > 0.95·other.
+    /// Whether self > [`NEAR`]·other, exactly.
     fn is_near(&self, other: &Fraction) -> bool {
         self.compare(other, 19, 20).is_gt()
     }
@@ -209,11 +212,11 @@ impl Scan<'_> {
         Some(runs.iter().map(within_unit).sum())
     }
 
-    /// Length of {t in [0, 1]: IoU(t) > `iou`}, to within the buckets of the scan at its ends; `None` when there is no part.
+    /// Length of {t in [0, 1]: IoU(t) > 0.95·`iou`}, of the best IoU of another print, to within the buckets of the scan at its ends; `None` when there is no part.
     #[must_use]
-    pub fn length_above(&self, iou: f64) -> Option<f64> {
+    pub fn length_near(&self, iou: f64) -> Option<f64> {
         let best = &self.settled()?;
-        let runs = self.runs(best, |piece, _| piece.value() > iou);
+        let runs = self.runs(best, |piece, _| piece.value() > NEAR * iou);
         Some(runs.iter().map(within_unit).sum())
     }
 

@@ -145,14 +145,14 @@ fn best_plateau_and_window_are_those_of_a_full_sort() {
         if best.is_some() {
             let (a, b) = (scan.length_near_best().unwrap(), brute_length(&pieces));
             assert!((a - b).abs() < 1e-12, "{a} {b}");
-            // Above any other IoU, to within a bucket at the ends
-            let cut = 0.6 * best.map_or(0.0, |best| best.iou);
+            // Near another print's IoU, to within a bucket at the ends
+            let cut = 0.57 * best.map_or(0.0, |best| best.iou);
             let all = pieces.iter();
             let above = all.filter(|p| p.2 as f64 / p.3.max(1) as f64 > cut);
             let length: f64 = above
                 .map(|p| p.1.clamp(0.0, 1.0) - p.0.clamp(0.0, 1.0))
                 .sum();
-            let found = scan.length_above(cut).unwrap();
+            let found = scan.length_near(cut / 0.95).unwrap();
             assert!((found - length).abs() < 1e-3, "{found} {length}");
         }
     }

@@ -499,7 +499,7 @@ impl Measurements {
         let rest = match of_rest >= WORTH_CHANGING {
             true if self.is_simulated => "; the rest is due to the given patterns.",
             true if self.has_level_heights => {
-                "; rows are scaled so that all heights are done at the same time, which this dose does not count. What prints is told by the print in time."
+                "; rows are scaled so that all heights gel at the same time. This dose does not show that, the print in time does."
             }
             true if of_light < 0.5 * of_rest => "; a part of the rest is the limit of this light.",
             true if falling.is_some() => "; most of the rest is the limit of this light.",

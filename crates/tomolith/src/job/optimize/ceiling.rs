@@ -54,8 +54,6 @@ const SETTLED: usize = 30;
 pub(crate) const SHARE: usize = 10;
 /// An iteration on the coarser level, with what is measured there, takes one of so many parts of one of the loop: measured between 6 and 14.
 const CHEAPER: usize = 8;
-/// Share of an IoU above which Γ counts a threshold.
-const NEAR: f64 = 0.95;
 /// Corners of each surface that mean deviations are taken from.
 const CORNERS: usize = 20_000;
 /// Ceilings are tried down to 2⁻⁸ of the brightest pixel.
@@ -474,7 +472,7 @@ impl Stage<'_> {
             let iou = measure(&iou::KIND);
             let of_other = others.get(i).and_then(|other| other.iou);
             let gamma = match of_other.filter(|other| iou.is_some_and(|iou| iou > *other)) {
-                Some(other) => print.scan().length_above(NEAR * other).map(|t| 100.0 * t),
+                Some(other) => print.scan().length_near(other).map(|t| 100.0 * t),
                 None => measure(&gamma::KIND),
             };
             Ok(CeilingQuality {

@@ -73,10 +73,8 @@ pub(crate) struct Shown<'a> {
 impl<'a> Shown<'a> {
     /// What people should know of the time to print; `is_held`: nearly all pixels are as bright as they may be.
     pub(crate) fn warnings(&self, is_held: bool) -> Vec<String> {
-        let lights = self.lights.iter().enumerate();
-        let few_turns = lights
-            .filter_map(|(i, light)| self.few_turns(i, light))
-            .next();
+        let mut lights = self.lights.iter().enumerate();
+        let few_turns = lights.find_map(|(i, light)| self.few_turns(i, light));
         let of_print = self.overrun(is_held).into_iter().chain(self.hours());
         of_print.chain(few_turns).collect()
     }
