@@ -217,7 +217,7 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
 fn gray(given: &GrayArguments) -> Result<()> {
     above_zero("--top", given.top)?;
     let path = &given.measured.table;
-    let table = points(path, ["gray value", "irradiance"])?;
+    let table = points(path, ["gray value", "irradiance (mW/cm²)"])?;
     let form = match given.form {
         GrayForm::Monotone => CurveForm::Monotone,
         GrayForm::Line => CurveForm::Line,
@@ -326,7 +326,12 @@ fn response(given: &ResponseArguments) -> Result<()> {
             true => "more doses where the response rises, or leave out --asymmetry",
             false => "more doses where the response rises",
         };
-        warn_of_loose(&mut answer, &names[2..], &values[2..], errors, advice);
+        let mut sizes = values;
+        if given.log_dose {
+            // A midpoint in decades may be 0: a factor of e counts
+            sizes[3] = std::f64::consts::LOG10_E;
+        }
+        warn_of_loose(&mut answer, &names[2..], &sizes[2..], errors, advice);
         answer.set("measured_rise", fit.measured_rise());
         if let Some([first, last]) = fit.measured_rise()
             && (first > PLATEAU || last < 1.0 - PLATEAU)
@@ -361,11 +366,11 @@ fn response(given: &ResponseArguments) -> Result<()> {
     answer.finish(&given.measured.files, &files)
 }
 
-/// Warns of parameters that the points do not fix: any where there are no standard errors, else those whose error is larger than the value.
+/// Warns of parameters that the points do not fix: any where there are no standard errors, else those whose error is larger than their size.
 fn warn_of_loose(
     answer: &mut Answer,
     names: &[&str],
-    values: &[f64],
+    sizes: &[f64],
     errors: Option<&[f64]>,
     advice: &str,
 ) {
@@ -373,13 +378,13 @@ fn warn_of_loose(
         answer.warn("the points do not fix every parameter: there are no standard errors");
         return;
     };
-    let loose = names.iter().zip(values).zip(errors);
-    let loose: Vec<_> = (loose.filter(|((_, value), error)| **error > value.abs()))
+    let loose = names.iter().zip(sizes).zip(errors);
+    let loose: Vec<_> = (loose.filter(|((_, size), error)| **error > size.abs()))
         .map(|((name, _), _)| *name)
         .collect();
     if !loose.is_empty() {
         answer.warn(format!(
-            "the points do not fix {}: the standard error is larger than the value; measure {advice}",
+            "the points do not fix {}, whose standard error is too large; measure {advice}",
             loose.join(" and ")
         ));
     }

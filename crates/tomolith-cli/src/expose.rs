@@ -23,6 +23,9 @@ use tomolith_planning::quantity::{IRRADIANCE, POWER, VOLUMETRIC_DOSE};
 /// Images a second of a machine that the job does not name.
 const REFRESH_HZ: f64 = 240.0;
 
+/// Seconds of a print from which on resin does not keep still.
+const LONG_S: f64 = 1800.0;
+
 const EXAMPLES: &str = "\
 Examples:
   tomolith expose out/09-printer --irradiance 25
@@ -101,6 +104,9 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let i = light(given, &job)?;
     let printer = job.spec.printer_of(i).unwrap_or_default();
     let exposure = exposure_of(&given.run)?;
+    if given.printer.is_some() {
+        must_show(&printer, &exposure["lights"][i])?;
+    }
     let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
     let machine = machine(given, &job, &printer, &shown)?;
     let critical = critical_dose(given, &job)?;
@@ -130,7 +136,14 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
         Angles::List(_) => 0.0,
     };
-    let in_time = job.spec.schedule.is_some() || job.spec.material.is_some();
+    let in_time = match (&job.spec.material, &job.spec.schedule) {
+        (Some(_), _) => Some(
+            "the job has a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
+             Take times and energies from the job's print in time (tomolith run or print)",
+        ),
+        (None, Some(_)) => Some("this plan does not follow the schedule of the job"),
+        (None, None) => None,
+    };
     let plan = ExposurePlan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
     show(
         given,
@@ -139,7 +152,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         &plan,
         Remarks {
             windows: windows(&report, gel_dose),
-            is_in_time: in_time,
+            in_time,
             reported_percent: reported_percent.filter(|_| !together.is_object()),
             arc_deg: arc.to_degrees() * shown.sums.len() as f64,
         },
@@ -186,12 +199,36 @@ fn gel_dose(report: &Value) -> Result<f64> {
     })
 }
 
+/// Refuses a machine whose pixels are not those of the frames.
+fn must_show(printer: &PrinterSpec, light: &Value) -> Result<()> {
+    let number = |value: &Value| value.as_f64().unwrap_or_default();
+    let pitch_mm = [0, 1].map(|k| number(&light["pixel_pitch_mm"][k]));
+    let canvas = ["columns", "rows"].map(|key| number(&light[key]));
+    let in_mm = |mm: [f64; 2]| format!("pixels of {} × {} mm", concise(mm[0]), concise(mm[1]));
+    let in_pixels = |n: [f64; 2]| format!("{} × {} pixels", n[0], n[1]);
+    let is_apart = |a: [f64; 2], b: [f64; 2]| (0..2).any(|k| (a[k] / b[k] - 1.0).abs() > 1e-6);
+    let of_pitch =
+        (printer.pixel_pitch_mm).map(|pitch| (pitch.0, pitch_mm, in_mm(pitch.0), in_mm(pitch_mm)));
+    let of_canvas = printer.canvas.map(|canvas| canvas.map(|n| n as f64));
+    let of_canvas = of_canvas.map(|own| (own, canvas, in_pixels(own), in_pixels(canvas)));
+    for (own, of_frames, machine, frames) in of_pitch.into_iter().chain(of_canvas) {
+        if is_apart(own, of_frames) {
+            return Err(Error::config(
+                "--printer",
+                format!("{machine}, and the frames of this run have {frames}"),
+                "the machine of the run; for another one, the folder that `tomolith simulate JOB --patterns RUN` writes for it",
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// What a plan says besides its numbers.
 struct Remarks {
     /// Process windows over the dose that gels, by the names of species.
     windows: Vec<(String, f64)>,
-    /// Whether the job has a schedule or a material in time.
-    is_in_time: bool,
+    /// What the plan leaves out of a job with a schedule or a material in time.
+    in_time: Option<&'static str>,
     /// The exposure of the report's numbers, % of the best one.
     reported_percent: Option<f64>,
     /// What one pass of the frames covers.
@@ -318,11 +355,8 @@ fn show(
     remarks: Remarks,
 ) {
     let mut answer = Answer::default();
-    if remarks.is_in_time {
-        answer.warn(
-            "the job has a schedule and a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
-             Take times and energies from the job's print in time (tomolith run or print)",
-        );
+    if let Some(left_out) = remarks.in_time {
+        answer.warn(left_out);
     }
     answer.number("irradiance at white", machine.irradiance, 4, "mW/cm²");
     let unit = "mJ/mm² of a frame over the print";
@@ -343,12 +377,18 @@ fn show(
     tell_windows(&mut answer, plan, &remarks.windows);
     if plan.rpm > 60.0 {
         answer.warn(format!(
-            "{} turns a minute throw resin about: more turns take longer",
+            "{} turns a minute throw resin about: fewer turns are slower",
             significant(plan.rpm, 3)
         ));
     }
     if plan.turns < 3.0 && plan.time_s < 20.0 {
         answer.warn("in fewer than three turns the resin begins to gel from one side; a lower irradiance takes more turns");
+    }
+    if plan.time_s > LONG_S {
+        answer.warn(format!(
+            "the print takes {} h, and resin keeps still for minutes: look at the units of irradiance and critical dose, or use a brighter projector",
+            significant(plan.time_s / 3600.0, 3)
+        ));
     }
     answer.set("plan", plan);
     answer.set("irradiance_mw_per_cm2", machine.irradiance);

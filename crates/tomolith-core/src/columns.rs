@@ -13,10 +13,10 @@ use crate::files::read_text;
 use crate::units::counted;
 use std::path::{Path, PathBuf};
 
-/// All pairs of a file with two columns, which messages call `what` ("dose and response"); a first line of words is a header.
+/// All pairs of a file with two columns, which messages call `what` ("irradiance (mW/cm²) and time (s)"); a first line of words is a header.
 ///
 /// # Errors
-/// [`Error::Io`], [`Error::Format`] naming the line, or a header that has these columns the other way round.
+/// [`Error::Io`], [`Error::Format`] naming the line, or a header that has these columns the other way round or in other units.
 pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     let text = text_of(path)?;
     let refused = |found| {
@@ -35,6 +35,14 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     {
         let found = format!("columns `{first}` and `{second}`, which have the other order");
         return Err(refused(found));
+    }
+    let named = table.names.iter().zip(what.split(" and "));
+    for (name, quantity) in named {
+        if let (Some(unit), Some(asked)) = (unit_of(name), unit_of(quantity))
+            && unit != asked
+        {
+            return Err(refused(format!("column `{name}`, in {unit}")));
+        }
     }
     let pair = |(line, row): &(usize, Vec<Option<f64>>)| match row[..] {
         [Some(a), Some(b), ref rest @ ..] if rest.iter().all(Option::is_none) => Ok([a, b]),
@@ -58,6 +66,25 @@ fn is_swapped(names: [&str; 2], what: &str) -> bool {
         word.is_some_and(|word| names[name].to_lowercase().contains(word))
     };
     (has(0, 1) && !has(0, 0)) || (has(1, 0) && !has(1, 1))
+}
+
+/// Units by which the columns of such tables differ from machine to machine.
+const UNITS: [&str; 10] = [
+    "mW/cm²", "mW/mm²", "W/cm²", "W/m²", "mW/m²", "µW/cm²", "s", "ms", "min", "h",
+];
+
+/// The unit that a name ends with: `time (min)`, `irradiance [mW/mm2]`, `irradiance_mw_per_mm2`; None where it is none of [`UNITS`].
+fn unit_of(name: &str) -> Option<&'static str> {
+    let name = name.to_lowercase().replace("_per_", "/");
+    let mut words = name.split([' ', '_', '(', ')', '[', ']']);
+    let last = words.rfind(|word| !word.is_empty())?;
+    let plain = |unit: &str| {
+        unit.to_lowercase()
+            .replace('²', "2")
+            .replace(['µ', 'μ'], "u")
+    };
+    let last = plain(&last.replace('^', ""));
+    UNITS.into_iter().find(|unit| plain(unit) == last)
 }
 
 fn text_of(path: &Path) -> Result<String> {
@@ -223,6 +250,31 @@ mod tests {
             std::fs::write(&file, text).unwrap();
             let found = read_pairs(&file, "value and light").unwrap();
             assert_eq!(found, [[0.0, 1.0], [2.0, 3.0]], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn columns_in_other_units_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pairs.csv");
+        let read = |names: &str| {
+            std::fs::write(&file, format!("{names}\n1,2\n")).unwrap();
+            read_pairs(&file, "irradiance (mW/cm²) and time (s)")
+        };
+        for names in [
+            "irradiance_mw_per_cm2,time_s",
+            "Irradiance [mW/cm^2], Time (s)",
+            "irradiance in counts, time",
+        ] {
+            assert_eq!(read(names).unwrap(), [[1.0, 2.0]], "{names}");
+        }
+        for (names, wrong) in [
+            ("irradiance_mw_per_mm2,time_s", "in mW/mm²"),
+            ("irradiance (W/m²),time", "in W/m²"),
+            ("irradiance,time_min", "column `time_min`, in min"),
+        ] {
+            let message = read(names).unwrap_err().to_string();
+            crate::contains!(message, wrong, "irradiance (mW/cm²) and time (s)");
         }
     }
 

@@ -39,6 +39,9 @@ use tomolith_report::plot::{Axis, Plot};
 /// Radius of a disc over the shorter edge of its field.
 const RADIUS: f64 = 0.32;
 
+/// The widest cured disc is at least so many times as wide as the radius of its light, or its numbers are radii.
+const RADII: f64 = 1.3;
+
 /// A calibration print.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Discs {
@@ -379,6 +382,18 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
 /// As [`fit_depth`].
 pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
     let points = with_sizes("diameter_mm", points)?;
+    let widest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+    if widest < RADII * radius_mm {
+        return Err(Error::config(
+            "diameter_mm",
+            format!(
+                "{} mm at most, of discs of light {} mm wide",
+                concise(widest),
+                concise(2.0 * radius_mm)
+            ),
+            "diameters, not radii",
+        ));
+    }
     let n = points.len();
     let lowest = points[0][0].ln();
     let starts = [0.02, 0.2, 1.0, 3.0].map(|below: f64| {

@@ -185,15 +185,20 @@ fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
             let number = number.to_string().to_lowercase();
             return Ok(format!("{key}={number}"));
         }
+        if (value.getattr("ndim")).is_ok_and(|ndim| ndim.gt(2).unwrap_or(false)) {
+            let found = format!("set: an array for `{key}`");
+            let accepted = "arrays in a dict of tables: Job({\"target\": {\"stack\": array}, …})";
+            return Err(TomolithError::new_err(format!(
+                "{found}; accepted: {accepted}"
+            )));
+        }
         let alone = PyDict::new(given.py());
-        alone.set_item("value", value)?;
+        alone.set_item(&key, value)?;
         let text = text_of(&alone)?;
         let table: Value =
             serde_json::from_str(&text).map_err(|e| TomolithError::new_err(format!("set: {e}")))?;
-        Ok(Document::assignment(
-            &key.extract::<String>()?,
-            &table["value"],
-        ))
+        let key = key.extract::<String>()?;
+        Ok(Document::assignment(&key, &table[&key]))
     };
     changes.iter().map(change).collect()
 }
@@ -231,6 +236,11 @@ fn not_finite(value: &Bound<'_, PyAny>, place: &str) -> Option<(String, f64)> {
     if let Ok(list) = value.cast::<PyList>() {
         let mut each = list.iter().enumerate();
         return each.find_map(|(i, value)| not_finite(&value, &format!("{place}[{i}]")));
+    }
+    if let Ok(list) = value.call_method0("tolist")
+        && list.is_instance_of::<PyList>()
+    {
+        return not_finite(&list, place);
     }
     let number = value
         .extract::<f64>()

@@ -80,7 +80,8 @@ fn until<T: Send>(
             let mut interrupted = None;
             while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(PAUSE) {
                 if interrupted.is_none() {
-                    interrupted = Python::attach(|py| must_go_on(py, cancel)).err();
+                    let found = Python::try_attach(|py| must_go_on(py, cancel));
+                    interrupted = found.unwrap_or_else(|| end_with_python(work)).err();
                     if interrupted.is_some() {
                         work.cancel();
                     }
@@ -89,12 +90,23 @@ fn until<T: Send>(
             let done = worker
                 .join()
                 .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            if Python::try_attach(|_| ()).is_none() {
+                end_with_python(work);
+            }
             (done, interrupted)
         })
     });
     match interrupted {
         Some(error) => Err(error),
         None => done.map_err(raised),
+    }
+}
+
+/// Waits for the end of the process, in a thread that Python left behind: what takes its lock then crashes.
+fn end_with_python(work: &Work) -> ! {
+    work.cancel();
+    loop {
+        thread::park();
     }
 }
 
@@ -230,13 +242,18 @@ impl Observer<'_> {
         let Some(object) = &self.object else {
             return T::default();
         };
-        Python::attach(|py| call(py, object.bind(py))).unwrap_or_else(|error| {
-            if let Ok(mut raised) = self.raised.lock() {
-                raised.get_or_insert(error);
-            }
-            self.work.cancel();
-            T::default()
-        })
+        let called = Python::try_attach(|py| call(py, object.bind(py)));
+        let raised = match called {
+            Some(Ok(value)) => return value,
+            Some(Err(error)) => Some(error),
+            // Python has ended
+            None => None,
+        };
+        if let (Some(error), Ok(mut first)) = (raised, self.raised.lock()) {
+            first.get_or_insert(error);
+        }
+        self.work.cancel();
+        T::default()
     }
 
     pub(crate) fn tell(&self, event: &impl Serialize) {

@@ -104,6 +104,7 @@ class Jobs(unittest.TestCase):
             with self.assertRaisesRegex(tomolith.TomolithError, "finished run of another job: target.stack"):
                 job(~inside).run()
         for stack, words in [
+            (np.ma.masked_array(inside, inside), "target.stack: found a masked array"),
             (inside[0], "target.stack: found an array of shape [10, 12] and type bool; accepted: an array [z, y, x]"),
             (inside.astype(complex), "type complex128"),
             (2.0 * inside, "a value of 2"),

@@ -152,6 +152,13 @@ class Tasks(unittest.TestCase):
         expected = colors.pullback(colors.start, [np.ones(colors.shape)] * 2)
         for found, known in zip(lights, expected):
             np.testing.assert_allclose(found.grad, known, rtol=1e-4)
+        # The second derivative of Σ (F x)² along v is 2·Fᵀ F v
+        v = np.random.default_rng(1).normal(size=self.patterns.shape).astype("float32")
+        square = lambda x: tomolith.torch.dose(self.task, x).square().sum()
+        _, found = torch.autograd.functional.hvp(square, torch.tensor(self.patterns), torch.tensor(v))
+        along = self.task.dose(v.clip(0)) - self.task.dose((-v).clip(0))
+        expected = self.task.pullback(self.patterns, 2 * along)
+        np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
 
     def test_a_missing_library_is_named(self):
         with mock.patch.dict(sys.modules, {"scipy.sparse.linalg": None}):

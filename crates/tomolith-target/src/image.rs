@@ -192,6 +192,10 @@ impl Shape for GrayImage {
         [self.low, std::array::from_fn(|i| self.low[i] + extent[i])]
     }
 
+    fn is_of_pixels(&self) -> bool {
+        true
+    }
+
     fn upright_mm(&self) -> Option<[f64; 2]> {
         let [low, high] = self.bounds_mm().map(|corner| corner[2]);
         (self.slices.len() == 1).then_some([low, high])

@@ -509,7 +509,7 @@ impl Pairs<HostField> for HostPairs {
         let all: usize = chunks.iter().sum();
         HostPairs {
             slots,
-            lines: vec![Line::default(); all * slots * CHUNK],
+            lines: bytemuck::zeroed_vec(all * slots * CHUNK),
             live: vec![0; all * CHUNK],
             chunks,
         }

@@ -76,8 +76,10 @@ const WIDEST: f64 = 10.0;
 pub enum Rotation {
     /// Light then arrives counter-clockwise in the resin: azimuths grow.
     #[default]
+    #[serde(alias = "cw")]
     Clockwise,
     /// Azimuths fall.
+    #[serde(alias = "ccw", alias = "anticlockwise")]
     Counterclockwise,
 }
 
@@ -88,7 +90,7 @@ tomolith_core::keys! {
         /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
         #[schemars(inner(range(min = 1, max = 16384)))]
         pub canvas: Option<[usize; 2]>,
-        /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
+        /// Size of a device pixel at the vial, one number or [right, up] on the canvas; the light's pixel pitch when left out.
         pub pixel_pitch_mm: Option<Pitch>,
         /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
         #[schemars(inner(range(min = -16384.0, max = 16384.0)))]
@@ -167,13 +169,6 @@ impl PrinterSpec {
                 "printer.copies_px",
                 format!("{} places", self.copies_px.len()),
                 format!("1 to {MOST_COPIES} places [right, up]"),
-            ));
-        }
-        if let (Some(time), None) = (self.time_s, self.peak_irradiance_mw_per_cm2) {
-            return Err(Error::config(
-                "printer.time_s",
-                format!("{} s without a peak irradiance", exact(time)),
-                "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
             ));
         }
         if self.gray_curve.is_some() && self.gray_curve_file.is_some() {

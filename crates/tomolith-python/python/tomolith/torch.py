@@ -23,10 +23,30 @@ class _Dose(torch.autograd.Function):
         return _tensors(task.dose(_arrays(patterns)), ctx.device)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, *cotangents: torch.Tensor) -> Any:
-        gradient = ctx.task.pullback(_arrays(ctx.saved_tensors), _arrays(cotangents))
-        return (None, *_tensors(gradient, ctx.device))
+        patterns = ctx.saved_tensors
+        return (None, *_Pullback.apply(ctx.task, len(patterns), *patterns, *cotangents))
+
+
+class _Pullback(torch.autograd.Function):
+    """`Task.pullback` of so many patterns and the cotangents after them; of a linear model `Task.dose` is its derivative."""
+
+    @staticmethod
+    def forward(ctx: Any, task: Task, lights: int, *tensors: torch.Tensor) -> Any:
+        ctx.task, ctx.lights, ctx.device = task, lights, tensors[0].device
+        gradient = task.pullback(_arrays(tensors[:lights]), _arrays(tensors[lights:]))
+        return _tensors(gradient, ctx.device)
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, *directions: torch.Tensor) -> Any:
+        if not ctx.task.is_linear:
+            raise RuntimeError("the second derivative of this dose model is not known; accepted: first derivatives, or a linear model (Task.is_linear)")
+        # Patterns are light, so both signs go alone
+        up, down = (
+            _tensors(ctx.task.dose(_arrays([(sign * d).clamp(min=0.0) for d in directions])), ctx.device) for sign in (1.0, -1.0)
+        )
+        return (None, None, *[None] * ctx.lights, *(u - d for u, d in zip(up, down, strict=True)))
 
 
 def _arrays(tensors: Sequence[torch.Tensor]) -> list[Any]:

@@ -25,6 +25,9 @@ pub(crate) mod time;
 pub use falling::Fall;
 use falling::Falling;
 
+/// What places an image on the pixels of a machine.
+const DIM_KEY: &str = "printer.offset_px";
+
 /// Bits from which on rounding costs next to nothing: what a machine's patterns lose then is lost between its pixels and the light's.
 pub(crate) const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
@@ -105,6 +108,7 @@ impl Asked<'_> {
             has_machine: resolved.printers.is_some(),
             dark_light: self.dark_light(),
             apart_from_mm: resolved.machine_pixels_apart_mm(),
+            has_dim_pixels: resolved.has_dim_pixels(),
             arcs: Arcs::of(&lights),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < resolved.grid.pitch_mm
@@ -191,6 +195,8 @@ struct Measurements {
     dark_light: Option<[f64; 2]>,
     /// Width of the machine's pixels, mm, where those of the light are no whole number of them; None where they are, or there is no machine.
     apart_from_mm: Option<f64>,
+    /// Whether a machine has pixels that are dead or dimmer than others.
+    has_dim_pixels: bool,
     /// Arcs of frames; None for lists of angles.
     arcs: Option<Arcs>,
     /// Whether the optimization's voxels were as fine as the evaluation's: the job's voxels then limit nothing.
@@ -374,6 +380,13 @@ impl Measurements {
                 );
                 let action = format!("Set to a multiple of {} mm", exact(pitch_mm));
                 return Some(self.limit(Cause::Levels, loss, &self.pixel_key, found, &action));
+            }
+            if self.has_dim_pixels {
+                let found = format!(
+                    "{found} Some pixels of the machine are dead or dim, and get no brighter."
+                );
+                let action = "Place the image where none are with";
+                return Some(self.limit(Cause::Levels, loss, DIM_KEY, found, action));
             }
             let action = "Bring the pixels of machine and light together (offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
@@ -676,6 +689,9 @@ impl Measurements {
             Cause::Levels if limit.key == "bounds.min" => "count the light of level 0: raise",
             Cause::Levels if limit.key == self.pixel_key => {
                 "set to a multiple of the machine's pixels"
+            }
+            Cause::Levels if limit.key == DIM_KEY => {
+                "place the image where no pixels are dead or dim with"
             }
             Cause::Levels if limit.key == "printer" => {
                 "bring the pixels of machine and light together in"

@@ -11,6 +11,7 @@ use crate::job::progress::{Event, Progress, stage, watched};
 use crate::job::resolve::goal::response;
 use crate::job::resolve::machine::Showing;
 use crate::job::resolve::optics::Optics;
+use crate::job::resolve::refinement::described;
 use crate::job::resolve::resources::require;
 use crate::job::resolve::{ResolvedJob, machine};
 use crate::job::spec::document::{Document, is_within};
@@ -302,7 +303,12 @@ fn matrix_stages(
     let family = resolved.optics.family(&resolved.grid)?;
     must_be_linear(&family).map_err(|e| job.locate(e))?;
     let asked = resolved.optics.model.as_ref();
-    let plan = planner::plan(asked, resolved.optics.scene(), &resolved.grid, None, work)?;
+    // The vial turns as it does for the optimization
+    let lights = &resolved.levels[resolved.levels.len() - 1].lights;
+    let scene = resolved.optics.scene().lit_by(lights);
+    let plan = planner::plan(asked, scene, &resolved.grid, None, work)?;
+    let text = format!("the dose on {}", described(&resolved.grid, lights));
+    progress.event(&Event::Note { text });
     let entries = if family.capabilities().fills {
         let (voxels, pixels) = (resolved.grid.len() as f64, resolved.extent.pixels as f64);
         let text = format!(

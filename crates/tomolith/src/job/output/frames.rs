@@ -85,8 +85,8 @@ impl<'a> Shown<'a> {
         let seconds: f64 = times.sum::<Option<f64>>()?;
         (seconds > LONG_S).then(|| {
             format!(
-                "the print takes {} h, and resin keeps still for minutes: the part sinks, and what reacts goes on without light. Look at the units of printer.peak_irradiance_mw_per_cm2 and \
-                 resin.critical_dose_mj_per_mm3, or use a resin that absorbs less, or a brighter projector",
+                "the print takes {} h, and resin keeps still for minutes: the part sinks, and what reacts goes on without light. Look at the units of printer.peak_irradiance_mw_per_cm2, \
+                 resin.critical_dose_mj_per_mm3 and resin.absorption_per_mm (prints are shortest where it is about 1 over the radius of the vial), or use a brighter projector",
                 significant(seconds / 3600.0, 3)
             )
         })
@@ -101,7 +101,8 @@ impl<'a> Shown<'a> {
             return None;
         }
         let enough = self.showing.rpm() * FEW_TURNS / turns;
-        let advice = if enough <= FASTEST_RPM {
+        let fastest = self.showing.fastest_rpm(i).min(FASTEST_RPM);
+        let advice = if enough.ceil() <= fastest {
             format!("Set output.rpm = {} or more for three turns", enough.ceil())
         } else {
             "Lower printer.peak_irradiance_mw_per_cm2 for more turns".to_owned()

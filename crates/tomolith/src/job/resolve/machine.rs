@@ -6,7 +6,7 @@ use crate::io::channel::Channel;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::goal::Goal;
 use crate::job::resolve::scheduled::{self, Emitted};
-use crate::job::spec::{JobSpec, LightSpec, MovieCoding};
+use crate::job::spec::{Angles, JobSpec, LightSpec, MovieCoding};
 use crate::optics::light::Light;
 use crate::report::Irradiance;
 use crate::units::exact;
@@ -72,14 +72,17 @@ pub(crate) fn white_in_time(spec: &JobSpec, goal: &Goal) -> Result<Option<(f64, 
         ));
     }
     let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
-    let frames = (0..spec.light.len())
-        .map(|i| spec.angles_of(i).count())
-        .sum();
-    // One bound holds for all lights: that of the darkest
-    let peaks = (0..spec.light.len()).filter_map(|i| exposure(spec, i, gel_dose).peak_mw_per_cm2);
+    // One bound holds for all lights, which follow each other: their mean weighs the time that each takes
+    let lights = (0..spec.light.len()).map(|i| exposure(spec, i, gel_dose));
+    let lights: Vec<ExposureBudget> = lights.collect();
+    let frames = lights.iter().map(|light| light.frames).sum();
+    let times = lights
+        .iter()
+        .map(|light| Some(light.frames as f64 / light.peak_mw_per_cm2?));
+    let times: Option<f64> = times.sum();
     let exposure = ExposureBudget {
         frames,
-        peak_mw_per_cm2: peaks.reduce(f64::min),
+        peak_mw_per_cm2: times.map(|times| frames as f64 / times),
         ..exposure(spec, 0, gel_dose)
     };
     Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
@@ -129,6 +132,12 @@ impl ResolvedJob {
         pairs.find_map(|mut edges| edges.find(is_apart).map(|(_, of_machine)| of_machine))
     }
 
+    /// Whether a machine has pixels that are dead or dimmer than others.
+    pub(crate) fn has_dim_pixels(&self) -> bool {
+        let mut printers = (0..self.spec.light.len()).filter_map(|i| self.spec.printer_of(i));
+        printers.any(|printer| printer.dead_pixels.is_some() || printer.flat_field.is_some())
+    }
+
     pub(crate) fn showing(&self) -> Showing<'_> {
         Showing::of(&self.spec)
     }
@@ -161,6 +170,17 @@ impl<'a> Showing<'a> {
     /// Turns of the vial per minute.
     pub(crate) fn rpm(self) -> f64 {
         self.spec.output.rpm
+    }
+
+    /// The speed at which the machine still shows every frame of a light once a turn.
+    pub(crate) fn fastest_rpm(self, light: usize) -> f64 {
+        let refresh_hz = self.spec.printer.as_ref().map(|printer| printer.refresh_hz);
+        match (&self.spec.light[light].angles, refresh_hz) {
+            (Angles::Even { count, arc_deg, .. }, Some(hz)) => {
+                60.0 * hz * arc_deg / (360.0 * *count as f64)
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     /// Whether the job wants a movie.

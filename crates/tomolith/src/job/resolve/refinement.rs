@@ -238,26 +238,29 @@ pub(crate) fn evaluation_refine(grid: &VolumeGrid, levels: &[Level]) -> usize {
         .unwrap_or(LEAST_REFINE)
 }
 
+/// Voxels, and the angles at which the frames of lights are averaged, in words.
+pub(crate) fn described(grid: &VolumeGrid, lights: &[Light]) -> String {
+    let [nz, ny, nx] = grid.shape;
+    let mut angles: Vec<usize> = lights.iter().map(|light| light.sub_angles).collect();
+    angles.dedup();
+    let angles = match &angles[..] {
+        [1] => String::new(),
+        [angles] => format!(", {angles} angles a frame"),
+        of_lights => {
+            let of_lights: Vec<String> = of_lights.iter().map(ToString::to_string).collect();
+            format!(
+                ", {} angles a frame, light by light",
+                of_lights.join(" and ")
+            )
+        }
+    };
+    let pitch = significant(grid.pitch_mm, 3);
+    format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
+}
+
 /// What to say of voxels that the job did not ask for.
 pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
-    let text_of = |level: &Level| {
-        let [nz, ny, nx] = level.grid.shape;
-        let mut angles: Vec<usize> = level.lights.iter().map(|light| light.sub_angles).collect();
-        angles.dedup();
-        let angles = match &angles[..] {
-            [1] => String::new(),
-            [angles] => format!(", {angles} angles a frame"),
-            of_lights => {
-                let of_lights: Vec<String> = of_lights.iter().map(ToString::to_string).collect();
-                format!(
-                    ", {} angles a frame, light by light",
-                    of_lights.join(" and ")
-                )
-            }
-        };
-        let pitch = significant(level.grid.pitch_mm, 3);
-        format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
-    };
+    let text_of = |level: &Level| described(&level.grid, &level.lights);
     let last = levels.last()?;
     if levels.len() == 1 && last.grid == *grid {
         return None;

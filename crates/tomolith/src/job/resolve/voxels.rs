@@ -183,7 +183,12 @@ impl ResolvedJob {
 
     /// Walls and gaps that the voxels of these targets, one a species, leave out.
     pub(crate) fn too_thin<'t>(&self, targets: impl Iterator<Item = &'t Target>) -> Vec<String> {
-        let warnings = targets.map(|target| of_thin(target).into_iter().collect());
+        let each = self.species.iter().zip(targets);
+        let warnings = each.map(|(species, target)| {
+            let has_surface = !species.shape.is_of_pixels();
+            let thin = has_surface.then(|| of_thin(target)).flatten();
+            thin.into_iter().collect()
+        });
         named(&self.species, warnings.collect())
     }
 

@@ -80,12 +80,25 @@ fn printer(spec: &JobSpec) -> Result<()> {
                 .map_err(|e| at_speed(spec, i, e))?;
         }
     }
-    if spec
-        .printer
-        .as_ref()
-        .is_some_and(|printer| printer.time_s.is_some())
-        && spec.resin.critical_dose_mj_per_mm3.is_none()
+    let time_s = spec.printer.as_ref().and_then(|printer| printer.time_s);
+    if time_s.is_some() && spec.schedule.is_some() {
+        return Err(Error::config(
+            "printer.time_s",
+            "a time beside [schedule], whose turns say how long the print takes",
+            "only one of the two",
+        ));
+    }
+    let mut printers = (0..spec.light.len()).filter_map(|i| spec.printer_of(i));
+    if let Some(time_s) = time_s
+        && printers.any(|printer| printer.peak_irradiance_mw_per_cm2.is_none())
     {
+        return Err(Error::config(
+            "printer.time_s",
+            format!("{} s without a peak irradiance", exact(time_s)),
+            "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
+        ));
+    }
+    if time_s.is_some() && spec.resin.critical_dose_mj_per_mm3.is_none() {
         return Err(Error::config(
             "printer.time_s",
             "a time without the dose that the resin needs",

@@ -311,6 +311,7 @@ fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
         schedule.power={ irradiance_mw_per_mm2 = -1 } → schedule.power
         light[0].power={ irradiance_mw_per_mm2 = -1 } → light[0].power
         schedule.own_patterns=true → schedule.own_patterns
+        printer={ time_s = 60.0 } → printer.time_s
         material={} → material
         material={ diffusion = { mm2_per_s = 1e-4 } } → material
         material={ diffusion = { mm2_per_s = -1 } } → material.diffusion.mm2_per_s

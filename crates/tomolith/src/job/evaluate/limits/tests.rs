@@ -23,6 +23,7 @@ fn measurements() -> Measurements {
         has_machine: false,
         dark_light: None,
         apart_from_mm: None,
+        has_dim_pixels: false,
         arcs: Some(Arcs {
             text: "2°".to_owned(),
             key: "light.angles".to_owned(),
@@ -588,4 +589,11 @@ fn light_that_a_machine_leaves_at_level_0_is_named() {
         dark.limits().sentence,
         "To improve, count the light of level 0: raise `bounds.min`."
     );
+    let dim = Measurements {
+        dark_light: None,
+        has_dim_pixels: true,
+        ..dark
+    };
+    let text = dim.limits().sentence;
+    tomolith_core::contains!(text, "no pixels are dead or dim with `printer.offset_px`");
 }

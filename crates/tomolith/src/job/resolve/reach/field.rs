@@ -143,7 +143,7 @@ fn larger_field(columns: usize, times: f64) -> String {
             .to_owned();
     }
     format!(
-        "at least {} columns of pixels of this pitch, a larger pitch, or a smaller target",
+        "at least {} columns of pixels of this pitch (more where the vial bends light), a larger pitch, or a smaller target",
         (needed - 1e-6).ceil()
     )
 }
