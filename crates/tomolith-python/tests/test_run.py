@@ -177,6 +177,9 @@ class Runs(unittest.TestCase):
             np.testing.assert_array_equal(getattr(run, name), getattr(library, name))
         with self.assertRaisesRegex(tomolith.TomolithError, "overwrite"):
             tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
+        tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run(overwrite=True)
+        with self.assertRaisesRegex(tomolith.TomolithError, "another run"):
+            run.history
 
     def test_a_folder_reads_as_arrays(self):
         run = tomolith.Run.open(os.environ["TOMOLITH_LIBRARY_RUN"])
@@ -364,6 +367,12 @@ class Runs(unittest.TestCase):
         threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
         with self.assertRaises(KeyboardInterrupt):
             self.long().run()
+
+    def test_a_daemon_thread_ends_with_python(self):
+        job = f"tomolith.Job({GEAR!r}, set=['stop.iterations=1000000', 'stop.change=0'], folder={str(self.folder / 'daemon')!r})"
+        script = f"import threading, time, tomolith\nthreading.Thread(target={job}.run, daemon=True).start()\ntime.sleep(0.5)"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_second_run_of_one_folder_is_refused(self):
         cancel, refused = threading.Event(), []

@@ -156,8 +156,7 @@ class Tasks(unittest.TestCase):
         v = np.random.default_rng(1).normal(size=self.patterns.shape).astype("float32")
         square = lambda x: tomolith.torch.dose(self.task, x).square().sum()
         _, found = torch.autograd.functional.hvp(square, torch.tensor(self.patterns), torch.tensor(v))
-        along = self.task.dose(v.clip(0)) - self.task.dose((-v).clip(0))
-        expected = self.task.pullback(self.patterns, 2 * along)
+        expected = self.task.pullback(self.patterns, 2 * self.task.dose(v))
         np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
 
     def test_a_missing_library_is_named(self):

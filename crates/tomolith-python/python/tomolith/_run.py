@@ -62,6 +62,7 @@ class Run:
         self.summary = summary
         """What `tomolith run --json` says at its end, a dict; None for a folder that was opened."""
         self.report  # a folder without one is no run
+        self._stamp = self._stamp_now()
 
     @classmethod
     def open(cls, folder: str | PathLike[str]) -> Run:
@@ -71,8 +72,19 @@ class Run:
     def __fspath__(self) -> str:
         return str(self.folder)
 
+    def _stamp_now(self) -> tuple[int, ...] | None:
+        """What tells the report of this run from that of another in its folder; None where there is none."""
+        try:
+            stat = (self.folder / "report.json").stat()
+        except OSError:
+            return None
+        return stat.st_mtime_ns, stat.st_ino, stat.st_size
+
     def _read(self, name: str, read: Callable[[Path], _T]) -> _T:
         path = self.folder / name
+        if getattr(self, "_stamp", None) and self._stamp_now() not in (self._stamp, None):
+            accepted = "Run.open(folder) for the run that is there now, and a folder for each run"
+            raise TomolithError(f"{self.folder}: found another run than the one that this object was made of; accepted: {accepted}")
         try:
             return read(path)
         except FileNotFoundError:

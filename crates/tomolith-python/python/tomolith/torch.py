@@ -38,15 +38,10 @@ class _Pullback(torch.autograd.Function):
         return _tensors(gradient, ctx.device)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, *directions: torch.Tensor) -> Any:
         if not ctx.task.is_linear:
             raise RuntimeError("the second derivative of this dose model is not known; accepted: first derivatives, or a linear model (Task.is_linear)")
-        # Patterns are light, so both signs go alone
-        up, down = (
-            _tensors(ctx.task.dose(_arrays([(sign * d).clamp(min=0.0) for d in directions])), ctx.device) for sign in (1.0, -1.0)
-        )
-        return (None, None, *[None] * ctx.lights, *(u - d for u, d in zip(up, down, strict=True)))
+        return (None, None, *[None] * ctx.lights, *_Dose.apply(ctx.task, *directions))
 
 
 def _arrays(tensors: Sequence[torch.Tensor]) -> list[Any]:
