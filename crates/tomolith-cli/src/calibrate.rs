@@ -393,7 +393,7 @@ fn warn_of_loose(
 /// Warns of kinetics that the points leave open: a range wider than a factor of e, or than two thirds of the orders.
 fn warn_of_wide(answer: &mut Answer, ranges: Option<&[[f64; 2]; 4]>) {
     let Some([irradiance, supply, cure, order]) = ranges else {
-        answer.warn("the points are too few, or do not fix every parameter: there are no ranges");
+        answer.warn("the points are too few: there are no ranges");
         return;
     };
     let is_wide = |[low, high]: &[f64; 2]| high / low > std::f64::consts::E;
@@ -445,7 +445,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     warn_of_wide(&mut answer, fit.ranges.as_ref());
     if fit.is_order_at_end {
         answer.warn(format!(
-            "the best order of the cure would be beyond its range, 0 to 1; within it, {} is best",
+            "the best order of the cure is at the end of its range, 0 to 1, or beyond it: {} is the best within",
             concise(resin.order)
         ));
     }

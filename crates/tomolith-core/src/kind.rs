@@ -347,6 +347,9 @@ fn other_unit(word: &str, name: &str) -> Option<&'static str> {
             "its inverse is meant; light that falls to 1/e over D mm is absorbed with 1/D per mm",
         );
     }
+    if word.contains("diameter") && name.contains("radius") {
+        return Some("half of it is meant");
+    }
     let (what, unit) = word.split_once("_per_")?;
     let (same, meant) = name.split_once("_per_")?;
     if what != same || unit == meant {
@@ -579,6 +582,7 @@ mod tests {
     struct Doses {
         critical_dose_mj_per_mm3: f64,
         peak_mw_per_mm2: f64,
+        radius_mm: f64,
     }
 
     #[test]
@@ -587,6 +591,7 @@ mod tests {
             ("critical_dose_mj_per_cm2", Some("a dose per area")),
             ("peak_mw_per_cm2", Some("1 per cm² is 0.01 per mm²")),
             ("peak_mw_per_m2", Some("another unit")),
+            ("diameter_mm", Some("half of it is meant")),
             ("peak_mv_per_mm2", None),
         ] {
             let section = Section::new("resin", json!({ key: 80.0 }));

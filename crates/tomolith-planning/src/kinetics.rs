@@ -80,8 +80,8 @@ pub struct KineticsFit {
     /// The resin.
     pub kinetics: Kinetics,
     /// Of I_min, k, t₁ and m, each: between which values the sum of squares, least over the others, is at most t²s² above the least, with s² the least over
-    /// points − 4 and t from Student's distribution: 68 % where the law is nearly linear. An end is 0 or infinite where none is found. None where the
-    /// points do not fix them.
+    /// points − 4 and t from Student's distribution: 68 % where the law is nearly linear. An end is 0 or infinite where none is found. None for four
+    /// points or fewer.
     pub ranges: Option<[[f64; 2]; 4]>,
     /// Whether no m within its range is better than the end of it that the resin has.
     pub is_order_at_end: bool,
@@ -273,7 +273,7 @@ impl Fit<'_> {
         lesser(first, lesser(second, third))
     }
 
-    /// Of I_min, k, t₁ and m; None without a degree of freedom, or where the points do not fix them.
+    /// Of I_min, k, t₁ and m; None without a degree of freedom.
     fn ranges(&self, best: &Least) -> Option<[[f64; 2]; 4]> {
         let (points, start) = (self.x.len(), best.theta);
         let linear = at(&start, points, |theta, i, slopes| {
@@ -282,7 +282,12 @@ impl Fit<'_> {
             slopes.copy_from_slice(&all);
             rest
         });
-        let errors = linear.errors(0.0, points)?;
+        if points <= 4 {
+            return None;
+        }
+        // First steps alone: any will do where the points leave a parameter open
+        let errors = linear.errors(0.0, points);
+        let errors = errors.unwrap_or_else(|| vec![1.0; 4]);
         let freedom = (points - 4) as f64;
         let most = best.cost * (1.0 + student(freedom).powi(2) / freedom);
         let ends = |parameter: usize| {

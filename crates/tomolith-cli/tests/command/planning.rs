@@ -180,7 +180,7 @@ fn kinetics_fit_curing_times_and_say_when_light_never_cures() {
     bench.says(0, "calibrate kinetics bent.csv", &expected);
     bench.write("flat.csv", "1,50\n2,50\n4,50\n8,50\n16,50\n");
     let flat = bench.json("calibrate kinetics flat.csv");
-    let expected = "the points are too few, or do not fix every parameter: there are no ranges";
+    let expected = "do not fix the lowest irradiance and the inhibitor";
     assert!(flat["warnings"].to_string().contains(expected), "{flat}");
     bench.write("three.csv", "1,3\n2,2\n3,1\n");
     bench.write("one.csv", "1,3\n1,2\n");
