@@ -147,11 +147,26 @@ pub(crate) fn refused(
     raised(Error::refused(key, found, accepted))
 }
 
+/// Options of the command, and what they are here.
+const OPTIONS: [(&str, &str); 5] = [
+    ("--output DIR", "folder=DIR"),
+    ("--overwrite", "overwrite=True"),
+    ("`--resume`", "`resume=True`"),
+    ("--resume", "resume"),
+    ("--set ", "set: "),
+];
+
+/// A text of the library without the options of the command.
+fn in_python(text: &str) -> String {
+    let replaced = |text: String, (option, here): &(&str, &str)| text.replace(option, here);
+    OPTIONS.iter().fold(text.to_owned(), replaced)
+}
+
 /// The exception with its attributes.
 fn of_error(py: Python<'_>, error: Error) -> PyResult<Bound<'_, PyAny>> {
-    let text = error.to_string();
+    let text = in_python(&error.to_string());
     let attributes = PyDict::new(py);
-    let set = |name: &str, value: &str| attributes.set_item(name, value);
+    let set = |name: &str, value: &str| attributes.set_item(name, in_python(value));
     match error {
         Error::Canceled => {
             return Ok(Canceled::new_err(text)

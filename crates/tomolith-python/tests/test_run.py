@@ -175,7 +175,7 @@ class Runs(unittest.TestCase):
         self.assertIsNone(library.summary)
         for name in ("patterns", "patterns_raw", "dose", "target", "labels"):
             np.testing.assert_array_equal(getattr(run, name), getattr(library, name))
-        with self.assertRaisesRegex(tomolith.TomolithError, "overwrite"):
+        with self.assertRaisesRegex(tomolith.TomolithError, "another folder .folder=DIR., or overwrite=True to replace that run"):
             tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
         tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run(overwrite=True)
         with self.assertRaisesRegex(tomolith.TomolithError, "another run"):
