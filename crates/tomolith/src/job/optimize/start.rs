@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
 use crate::job::dose::cache::{BoundingStart, RunCache, start_key};
-use crate::job::resolve::species::{Row as SpeciesRow, beginnings};
+use crate::job::resolve::species::{Row as SpeciesRow, against_inhibition, beginnings};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::{DoseModel, PatternLayout, Quantity, Work};
 use crate::objective::{Objective, Sum};
@@ -147,14 +147,14 @@ pub(crate) fn limits(
         // A light that begins dark may become as bright as the others
         if largest > 0.0 { largest } else { of_all }
     };
+    let times = job.mixing.as_deref().map(against_inhibition);
     let lights = model.patterns().iter().enumerate();
     let limits = lights.map(|(light, layout)| {
-        let largest = if job.mixing.is_none() {
-            of_all
-        } else {
-            alone(layout)
+        let (largest, times) = match &times {
+            None => (of_all, 1.0),
+            Some(times) => (alone(layout), times[light]),
         };
-        let largest = f64::from(quantity.energy(largest));
+        let largest = times * f64::from(quantity.energy(largest));
         let (min, max) = job.bounds_of(light);
         let natural = if largest > min && !job.method.normalizes {
             largest

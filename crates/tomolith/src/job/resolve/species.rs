@@ -202,6 +202,20 @@ pub(crate) fn beginnings(rows: &[Row]) -> Vec<Option<(usize, f64)>> {
     species.iter().enumerate().map(factor).collect()
 }
 
+/// How many times as bright as where it begins a light must be, where the dose that drives a species makes good what other lights take away from it.
+pub(crate) fn against_inhibition(rows: &[Row]) -> Vec<f64> {
+    let begins = beginnings(rows);
+    let taken = |s: usize| -> f64 {
+        let lights = rows[s].1.iter().zip(&begins);
+        let of_light = |(drive, begin): (&f64, &Option<(usize, f64)>)| {
+            begin.map_or(0.0, |(_, factor)| (-drive).max(0.0) * factor)
+        };
+        lights.map(of_light).sum()
+    };
+    let times = |begin: &Option<(usize, f64)>| begin.map_or(1.0, |(s, _)| 1.0 + taken(s));
+    begins.iter().map(times).collect()
+}
+
 impl ResolvedJob {
     /// M, a row per species, where lights are computed one by one: with several species, or for a print in time.
     pub(crate) fn rows(&self) -> Option<Cow<'_, [Row]>> {
@@ -402,5 +416,12 @@ mod tests {
         assert_eq!(beginnings(&antagonistic), [Some((0, 0.5)), None]);
         let both = [row("acrylate", &[1.0, 1.0])];
         assert_eq!(beginnings(&both), [Some((0, 0.5)), Some((0, 0.5))]);
+        assert_eq!(against_inhibition(&both), [1.0, 1.0]);
+        // b gives its species a dose of 1, and takes half of that from the species of a
+        let rows = [
+            ("net".into(), vec![1.0, -0.5]),
+            ("two".into(), vec![0.0, 1.0]),
+        ];
+        assert_eq!(against_inhibition(&rows), [1.5, 1.0]);
     }
 }
