@@ -36,12 +36,14 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
         let found = format!("columns `{first}` and `{second}`, which have the other order");
         return Err(refused(found));
     }
-    let named = table.names.iter().zip(what.split(" and "));
-    for (name, quantity) in named {
-        if let (Some(unit), Some(asked)) = (unit_of(name), unit_of(quantity))
-            && unit != asked
-        {
-            return Err(refused(format!("column `{name}`, in {unit}")));
+    if let [first, second] = &table.names[..] {
+        for (name, quantity) in [first, second].into_iter().zip(what.split(" and ")) {
+            let mut kinds = UNITS.iter();
+            let asked = kinds.find_map(|kind| Some((kind, unit_of(quantity, kind)?)));
+            let found = asked.and_then(|(kind, asked)| Some((unit_of(name, kind)?, asked)));
+            if let Some((unit, _)) = found.filter(|(unit, asked)| unit != asked) {
+                return Err(refused(format!("column `{name}`, in {unit}")));
+            }
         }
     }
     let pair = |(line, row): &(usize, Vec<Option<f64>>)| match row[..] {
@@ -68,23 +70,23 @@ fn is_swapped(names: [&str; 2], what: &str) -> bool {
     (has(0, 1) && !has(0, 0)) || (has(1, 0) && !has(1, 1))
 }
 
-/// Units by which the columns of such tables differ from machine to machine.
-const UNITS: [&str; 10] = [
-    "mW/cm²", "mW/mm²", "W/cm²", "W/m²", "mW/m²", "µW/cm²", "s", "ms", "min", "h",
+/// Units of one kind by which columns differ from table to table.
+const UNITS: [&[&str]; 2] = [
+    &["mW/cm²", "mW/mm²", "W/cm²", "W/m²", "mW/m²", "µW/cm²"],
+    &["s", "ms", "min", "h"],
 ];
 
-/// The unit that a name ends with: `time (min)`, `irradiance [mW/mm2]`, `irradiance_mw_per_mm2`; None where it is none of [`UNITS`].
-fn unit_of(name: &str) -> Option<&'static str> {
+/// The unit of a kind that a name ends with: `time (min)`, `irradiance [mW/mm2]`, `irradiance_mw_per_mm2`.
+fn unit_of(name: &str, kind: &[&'static str]) -> Option<&'static str> {
     let name = name.to_lowercase().replace("_per_", "/");
-    let mut words = name.split([' ', '_', '(', ')', '[', ']']);
+    let mut words = name.split([' ', '_', '(', ')', '[', ']', '"']);
     let last = words.rfind(|word| !word.is_empty())?;
     let plain = |unit: &str| {
-        unit.to_lowercase()
-            .replace('²', "2")
-            .replace(['µ', 'μ'], "u")
+        let unit = unit.to_lowercase().replace('²', "2");
+        unit.replace(['µ', 'μ'], "u")
     };
     let last = plain(&last.replace('^', ""));
-    UNITS.into_iter().find(|unit| plain(unit) == last)
+    kind.iter().copied().find(|unit| plain(unit) == last)
 }
 
 fn text_of(path: &Path) -> Result<String> {
@@ -265,6 +267,8 @@ mod tests {
             "irradiance_mw_per_cm2,time_s",
             "Irradiance [mW/cm^2], Time (s)",
             "irradiance in counts, time",
+            "irradiance (mW/cm2) time (s)",
+            "E_h,t_s",
         ] {
             assert_eq!(read(names).unwrap(), [[1.0, 2.0]], "{names}");
         }
@@ -272,6 +276,7 @@ mod tests {
             ("irradiance_mw_per_mm2,time_s", "in mW/mm²"),
             ("irradiance (W/m²),time", "in W/m²"),
             ("irradiance,time_min", "column `time_min`, in min"),
+            ("irradiance,\"time (min)\"", "in min"),
         ] {
             let message = read(names).unwrap_err().to_string();
             crate::contains!(message, wrong, "irradiance (mW/cm²) and time (s)");
