@@ -48,7 +48,7 @@ impl ResolvedJob {
     }
 
     /// What patterns print, measured as `tomolith run` does: `patterns` is a list with an array `[frame, row, column]` for each light,
-    /// or the array of a single light.
+    /// or the array of a single light. The response is that of the job, where a run with `co_optimize` finds another.
     fn evaluate<'py>(
         &self,
         py: Python<'py>,

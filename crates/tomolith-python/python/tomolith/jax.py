@@ -17,7 +17,7 @@ from ._native import Task
 def dose(task: Task) -> Callable[[Any], Any]:
     """F of a `Task`: patterns `[frame, row, column]` → dose `[z, y, x]`, float32; lists of them where there are several lights or species.
 
-    It works under `jax.grad` (reverse mode), `jax.vjp` and `jax.jit`; the model itself computes on the processor. Errors are those of `Task.dose`.
+    It works under `jax.grad` (reverse mode), `jax.vjp` and `jax.jit`; the model itself computes on the processor. Errors are those of `Task.dose`, in the text of a `jax.errors.JaxRuntimeError`.
     """
     volume = jnp.zeros(task.shape, jnp.float32)
     volumes = [volume] * len(task.outputs) if len(task.outputs) > 1 else volume

@@ -25,7 +25,7 @@ pub struct Prediction {
 }
 
 impl ResolvedJob {
-    /// What patterns (of each light) print, measured as `tomolith run` does.
+    /// What patterns (of each light) print, measured as `tomolith run` does; with the response of the job, where a run with `co_optimize` finds another.
     ///
     /// # Errors
     /// [`Error::Shape`] for patterns of another size, [`Error::NonFinite`], [`Error::Canceled`].
