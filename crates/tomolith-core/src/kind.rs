@@ -306,7 +306,7 @@ macro_rules! keys {
 pub const MISSING: &str = "the key is missing";
 
 /// What other programs and papers call a key, and the names that it may have here, the likeliest first.
-const SYNONYMS: [(&str, &[&str]); 15] = [
+const SYNONYMS: [(&str, &[&str]); 18] = [
     ("ior", &["refractive_index"]),
     ("n", &["refractive_index"]),
     ("index", &["refractive_index"]),
@@ -320,6 +320,9 @@ const SYNONYMS: [(&str, &[&str]); 15] = [
     ("diameter", &["inner_radius_mm", "radius_mm"]),
     ("diameter_mm", &["inner_radius_mm", "radius_mm"]),
     ("radius", &["inner_radius_mm", "radius_mm"]),
+    ("cw", &["clockwise"]),
+    ("ccw", &["counterclockwise"]),
+    ("anticlockwise", &["counterclockwise"]),
     ("kind", &["phantom"]),
     ("type", &["phantom"]),
 ];

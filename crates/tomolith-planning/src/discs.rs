@@ -39,7 +39,7 @@ use tomolith_report::plot::{Axis, Plot};
 /// Radius of a disc over the shorter edge of its field.
 const RADIUS: f64 = 0.32;
 
-/// The widest cured disc is at least so many times as wide as the radius of its light, or its numbers are radii.
+/// Where no curve fits, sizes below so many radii of the light are taken for radii.
 const RADII: f64 = 1.3;
 
 /// A calibration print.
@@ -382,18 +382,6 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
 /// As [`fit_depth`].
 pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
     let points = with_sizes("diameter_mm", points)?;
-    let widest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
-    if widest < RADII * radius_mm {
-        return Err(Error::config(
-            "diameter_mm",
-            format!(
-                "{} mm at most, of discs of light {} mm wide",
-                concise(widest),
-                concise(2.0 * radius_mm)
-            ),
-            "diameters, not radii",
-        ));
-    }
     let n = points.len();
     let lowest = points[0][0].ln();
     let starts = [0.02, 0.2, 1.0, 3.0].map(|below: f64| {
@@ -410,14 +398,30 @@ pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
         .into_iter()
         .filter(|m| m.cost.is_finite())
         .min_by(|a, b| a.cost.total_cmp(&b.cost));
-    let Some(mut found) = best else {
-        return Err(rises("diameter_mm"));
+    let widest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let refused = || match widest < RADII * radius_mm {
+        true => radii(widest, radius_mm),
+        false => rises("diameter_mm"),
     };
+    let mut found = best.ok_or_else(refused)?;
     // From θ to ln E_c, whose error follows
     let below = found.parameters[1].exp();
     let errors = found.errors(0.0, n).map(|e| vec![e[0], e[1] * below]);
     found.parameters[1] = lowest - below;
-    with_errors("diameter_mm", &found, errors, points, Some(radius_mm))
+    with_errors("diameter_mm", &found, errors, points, Some(radius_mm)).map_err(|_| refused())
+}
+
+/// Sizes that may be half of what they should.
+fn radii(widest: f64, radius_mm: f64) -> Error {
+    Error::config(
+        "diameter_mm",
+        format!(
+            "{} mm at most, of discs of light {} mm wide",
+            concise(widest),
+            concise(2.0 * radius_mm)
+        ),
+        "diameters, not radii",
+    )
 }
 
 /// The discs that have a size, by rising dose; refuses fewer than three.

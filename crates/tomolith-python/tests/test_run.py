@@ -177,7 +177,10 @@ class Runs(unittest.TestCase):
             np.testing.assert_array_equal(getattr(run, name), getattr(library, name))
         with self.assertRaisesRegex(tomolith.TomolithError, "another folder .folder=DIR., or overwrite=True to replace that run"):
             tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
+        job.run()
+        self.assertEqual(run.patterns_raw.shape, run.patterns.shape)  # the same job, the same numbers
         tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run(overwrite=True)
+        self.assertIn("run", repr(run))
         with self.assertRaisesRegex(tomolith.TomolithError, "another run"):
             run.history
 

@@ -192,8 +192,8 @@ impl Shape for GrayImage {
         [self.low, std::array::from_fn(|i| self.low[i] + extent[i])]
     }
 
-    fn is_of_pixels(&self) -> bool {
-        true
+    fn pixel_mm(&self) -> Option<f64> {
+        Some(self.pixel)
     }
 
     fn upright_mm(&self) -> Option<[f64; 2]> {

@@ -75,9 +75,9 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     fn is_gray(&self) -> bool {
         false
     }
-    /// Whether it is made of pixels, between which values change smoothly: it has no surface.
-    fn is_of_pixels(&self) -> bool {
-        false
+    /// Of a shape made of pixels, their edge, mm: values change smoothly from one to the next.
+    fn pixel_mm(&self) -> Option<f64> {
+        None
     }
     /// Exact volume where known, mm³.
     fn volume_mm3(&self) -> Option<f64> {

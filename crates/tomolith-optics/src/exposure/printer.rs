@@ -76,10 +76,8 @@ const WIDEST: f64 = 10.0;
 pub enum Rotation {
     /// Light then arrives counter-clockwise in the resin: azimuths grow.
     #[default]
-    #[serde(alias = "cw")]
     Clockwise,
     /// Azimuths fall.
-    #[serde(alias = "ccw", alias = "anticlockwise")]
     Counterclockwise,
 }
 

@@ -34,7 +34,7 @@ class Files:
         import numpy as np
 
         array = np.ascontiguousarray(stack)
-        is_masked = isinstance(stack, np.ma.MaskedArray)
+        is_masked = np.ma.is_masked(stack)
         if is_masked or array.ndim != 3 or array.size == 0 or array.dtype.kind not in "biuf":
             found = "a masked array" if is_masked else f"an array of shape {list(np.shape(stack))} and type {array.dtype}"
             raise TomolithError(f"{key}: found {found}; accepted: {_ACCEPTED}", key=key, found=found, accepted=_ACCEPTED)

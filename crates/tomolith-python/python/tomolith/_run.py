@@ -80,11 +80,20 @@ class Run:
             return None
         return stat.st_mtime_ns, stat.st_ino, stat.st_size
 
+    def _must_be_there(self, path: Path) -> None:
+        """Refuses a folder with another run than this one; one of the same job has the same numbers."""
+        now = self._stamp_now()
+        if now in (self._stamp, None):
+            return
+        if type(self)(self.folder).report["evaluation"] != self.report["evaluation"]:
+            found = "found another run than the one that this object was made of"
+            raise TomolithError(f"{path}: {found}; accepted: Run.open(folder) for the run that is there now, and a folder for each run")
+        self._stamp = now
+
     def _read(self, name: str, read: Callable[[Path], _T]) -> _T:
         path = self.folder / name
-        if getattr(self, "_stamp", None) and self._stamp_now() not in (self._stamp, None):
-            accepted = "Run.open(folder) for the run that is there now, and a folder for each run"
-            raise TomolithError(f"{self.folder}: found another run than the one that this object was made of; accepted: {accepted}")
+        if name != "report.json":
+            self._must_be_there(path)
         try:
             return read(path)
         except FileNotFoundError:

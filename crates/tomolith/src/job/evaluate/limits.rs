@@ -25,9 +25,6 @@ pub(crate) mod time;
 pub use falling::Fall;
 use falling::Falling;
 
-/// What places an image on the pixels of a machine.
-const DIM_KEY: &str = "printer.offset_px";
-
 /// Bits from which on rounding costs next to nothing: what a machine's patterns lose then is lost between its pixels and the light's.
 pub(crate) const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
@@ -382,11 +379,10 @@ impl Measurements {
                 return Some(self.limit(Cause::Levels, loss, &self.pixel_key, found, &action));
             }
             if self.has_dim_pixels {
-                let found = format!(
-                    "{found} Some pixels of the machine are dead or dim, and get no brighter."
-                );
-                let action = "Place the image where none are with";
-                return Some(self.limit(Cause::Levels, loss, DIM_KEY, found, action));
+                let found =
+                    format!("{found} Pixels of the machine that are dead or dim get no brighter.");
+                let action = "Bring the pixels of machine and light together (offset, turn), and the image away from dead or dim pixels, in";
+                return Some(self.limit(Cause::Levels, loss, "printer", found, action));
             }
             let action = "Bring the pixels of machine and light together (offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
@@ -690,8 +686,8 @@ impl Measurements {
             Cause::Levels if limit.key == self.pixel_key => {
                 "set to a multiple of the machine's pixels"
             }
-            Cause::Levels if limit.key == DIM_KEY => {
-                "place the image where no pixels are dead or dim with"
+            Cause::Levels if limit.key == "printer" && self.has_dim_pixels => {
+                "bring the pixels of machine and light together, and the image away from dead or dim ones, in"
             }
             Cause::Levels if limit.key == "printer" => {
                 "bring the pixels of machine and light together in"

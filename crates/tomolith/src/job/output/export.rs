@@ -307,8 +307,10 @@ fn matrix_stages(
     let lights = &resolved.levels[resolved.levels.len() - 1].lights;
     let scene = resolved.optics.scene().lit_by(lights);
     let plan = planner::plan(asked, scene, &resolved.grid, None, work)?;
-    let text = format!("the dose on {}", described(&resolved.grid, lights));
-    progress.event(&Event::Note { text });
+    if !family.capabilities().is_stored {
+        let text = format!("the dose on {}", described(&resolved.grid, lights));
+        progress.event(&Event::Note { text });
+    }
     let entries = if family.capabilities().fills {
         let (voxels, pixels) = (resolved.grid.len() as f64, resolved.extent.pixels as f64);
         let text = format!(

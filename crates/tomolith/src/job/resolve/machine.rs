@@ -104,6 +104,9 @@ fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudg
     }
 }
 
+/// Brightness of the darkest pixel, where that of the brightest is 1, of a machine that counts as even.
+const EVEN: f64 = 0.99;
+
 /// Share by which pixels of a light may differ from a whole number of the machine's.
 const APART: f64 = 1e-3;
 
@@ -134,8 +137,10 @@ impl ResolvedJob {
 
     /// Whether a machine has pixels that are dead or dimmer than others.
     pub(crate) fn has_dim_pixels(&self) -> bool {
-        let mut printers = (0..self.spec.light.len()).filter_map(|i| self.spec.printer_of(i));
-        printers.any(|printer| printer.dead_pixels.is_some() || printer.flat_field.is_some())
+        let mut lights = (0..self.spec.light.len()).filter_map(|i| self.spec.printer_of(i));
+        let has_dead = lights.any(|printer| printer.dead_pixels.is_some());
+        let mut printers = self.printers.iter().flatten();
+        has_dead || printers.any(|printer| printer.dimmest() < EVEN)
     }
 
     pub(crate) fn showing(&self) -> Showing<'_> {

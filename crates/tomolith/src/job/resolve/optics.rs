@@ -695,9 +695,5 @@ pub(crate) mod tests {
             .unwrap()
             .to_string();
         tomolith_core::contains!(message, "light[0].resin.absorption_per_mm", "0.3 per mm");
-        // Nor has a scenario
-        let set = serde_json::json!({ "resin": { "absorption_per_mm": 0.05 } });
-        let changed = spec.changed(set.as_object().unwrap(), Path::new("."));
-        assert_eq!(key(changed.err().unwrap()), "resin.absorption_per_mm");
     }
 }

@@ -278,9 +278,9 @@ pub(crate) fn lost_reflections(spec: &JobSpec, optics: &Optics) -> Option<String
     })
 }
 
-/// Frames for a machine that cover a part of a turn, which its time to print and its movie count as one pass.
+/// Frames for a machine or a print in time that cover a part of a turn, which its time to print and its movie count as one pass.
 pub(crate) fn part_of_a_turn(spec: &JobSpec) -> Option<String> {
-    let is_shown = |i: usize| spec.printer_of(i).is_some();
+    let is_shown = |i: usize| spec.printer_of(i).is_some() || spec.schedule.is_some();
     let arc = |(i, light): (usize, &LightSpec)| match light.angles {
         Angles::Even { arc_deg, .. } if arc_deg < 360.0 && is_shown(i) => Some(arc_deg),
         _ => None,

@@ -185,8 +185,10 @@ impl ResolvedJob {
     pub(crate) fn too_thin<'t>(&self, targets: impl Iterator<Item = &'t Target>) -> Vec<String> {
         let each = self.species.iter().zip(targets);
         let warnings = each.map(|(species, target)| {
-            let has_surface = !species.shape.is_of_pixels();
-            let thin = has_surface.then(|| of_thin(target)).flatten();
+            // From pixel to pixel shares rise over several voxels that are narrower
+            let pitch_mm = target.inside.grid.pitch_mm;
+            let is_ramp = (species.shape.pixel_mm()).is_some_and(|pixel_mm| pixel_mm > pitch_mm);
+            let thin = (!is_ramp).then(|| of_thin(target)).flatten();
             thin.into_iter().collect()
         });
         named(&self.species, warnings.collect())

@@ -38,23 +38,7 @@ impl JobSpec {
         profiles::fill(&mut root, base, |_| false)?;
         let spec: JobSpec = Section::new("", root).parse().map_err(with_example)?;
         validate::tables(&spec)?;
-        must_leave_to_map(&spec, &seen)?;
         Ok(spec)
-    }
-}
-
-/// Refuses an absorption that holds beyond the cells of a map alone, next to none of the light's way.
-fn must_leave_to_map(spec: &JobSpec, set: &[String]) -> Result<()> {
-    let is_plain = |key: &&String| {
-        ["resin.absorption_per_mm", "resin.attenuation_per_mm"].contains(&key.as_str())
-    };
-    match set.iter().find(is_plain) {
-        Some(key) if spec.resin.absorption_map.is_some() => Err(Error::config(
-            key,
-            "changed, but resin.absorption_map says how the resin absorbs",
-            "another map: resin.absorption_map.absorption = \"FILE\"",
-        )),
-        _ => Ok(()),
     }
 }
 

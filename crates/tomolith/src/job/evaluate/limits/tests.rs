@@ -595,5 +595,8 @@ fn light_that_a_machine_leaves_at_level_0_is_named() {
         ..dark
     };
     let text = dim.limits().sentence;
-    tomolith_core::contains!(text, "no pixels are dead or dim with `printer.offset_px`");
+    tomolith_core::contains!(
+        text,
+        "and the image away from dead or dim ones, in `printer`"
+    );
 }
