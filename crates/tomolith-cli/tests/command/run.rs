@@ -598,6 +598,10 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     assert!(plain["published"]["keep_dark"].is_null());
     let (pocket, all) = doses("plain");
     assert!(pocket > 0.05 * all, "{pocket} of {all}");
+    // Scattered light goes everywhere, and decides nothing
+    let settings = settings.replace("--quiet", "--set resin.scattering_per_mm=0.05");
+    let line = format!("run bodies.toml {settings} --set output.folder=scattered");
+    bench.says(0, &line, &["of the pixels stay dark"]);
 }
 
 /// The window widens only where no threshold is named, and a resolved job must name none either.

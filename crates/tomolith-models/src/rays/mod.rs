@@ -253,6 +253,19 @@ impl Optics {
         let diffuse = |body: &Obstacle| matches!(body.material, BodyMaterial::Diffuse { .. });
         self.scattering.is_some() || self.obstacles.iter().any(diffuse)
     }
+
+    /// The same where light that is scattered is lost.
+    #[must_use]
+    pub fn without_scattering(&self) -> Self {
+        let mut clear = self.clone();
+        clear.scattering = None;
+        for body in &mut clear.obstacles {
+            if let BodyMaterial::Diffuse { .. } = body.material {
+                body.material = BodyMaterial::Black;
+            }
+        }
+        clear
+    }
 }
 
 /// Whether light that nothing scatters goes the same way in all slices.

@@ -17,9 +17,10 @@ use crate::job::resolve::goal::Goal;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
+use crate::models::rays::Optics;
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
-use crate::models::{DoseLayout, DoseModel, Work};
+use crate::models::{DoseLayout, DoseModel, OpticalScene, Work, planner};
 use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
@@ -144,7 +145,7 @@ impl<'a> Stage<'a> {
         };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(&plan.model);
-        let of_bodies = dark_pixels(job, &level.grid, known, progress, work)?;
+        let of_bodies = dark_pixels(job, &level.grid, optics, known, progress, work)?;
         let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
         for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
             *dark |= left_out;
@@ -462,13 +463,14 @@ pub(crate) fn goal_of(species: &Species, wider: usize) -> Cow<'_, Goal> {
     goal.unwrap_or(Cow::Borrowed(&species.goal))
 }
 
-/// The pixels whose light would pass a body that is to stay dark, when there is one.
+/// The pixels whose light would pass a body that is to stay dark, when there is one, before it is scattered: scattered light reaches every place.
 ///
 /// # Errors
 /// [`Error::Config`] when that leaves no pixel.
 fn dark_pixels(
     job: &ResolvedJob,
     grid: &VolumeGrid,
+    optics: OpticalScene<'_>,
     model: &dyn DoseModel<Field = HostField>,
     progress: &mut dyn Progress,
     work: &Work,
@@ -480,7 +482,10 @@ fn dark_pixels(
         values: shares.values.iter().map(|&share| share >= 0.5).collect(),
         grid: shares.grid,
     };
-    let dark = pixels_through(model, &places, work)?;
+    let dark = match optics.scatters() {
+        true => unscattered_through(optics, model, &places, work)?,
+        false => pixels_through(model, &places, work)?,
+    };
     let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
     if count == all {
         return Err(Error::config(
@@ -496,4 +501,30 @@ fn dark_pixels(
         ),
     });
     Ok(Some(dark))
+}
+
+/// [`pixels_through`] for light that is not scattered, as elements of the pattern fields of `model`.
+fn unscattered_through(
+    optics: OpticalScene<'_>,
+    model: &dyn DoseModel<Field = HostField>,
+    places: &Volume<bool>,
+    work: &Work,
+) -> Result<Vec<bool>> {
+    let clear: Vec<_> = (optics.optics.iter())
+        .map(Optics::without_scattering)
+        .collect();
+    let optics = OpticalScene {
+        optics: &clear,
+        solid: None,
+        accelerator: None,
+        ..optics
+    };
+    let clear = planner::plan(None, optics, &places.grid, None, work)?.model;
+    let through = pixels_through(&clear, places, work)?;
+    let through: Vec<f32> = through.iter().map(|&t| f32::from(u8::from(t))).collect();
+    let mut field = model.new_patterns()?;
+    for (clear, layout) in clear.patterns().iter().zip(model.patterns()) {
+        layout.fill_field(&clear.patterns_of(&through), field.as_mut_slice());
+    }
+    Ok(field.as_slice().iter().map(|&t| t > 0.0).collect())
 }

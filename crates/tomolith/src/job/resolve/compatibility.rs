@@ -26,9 +26,8 @@ const COARSE: f64 = 2.0;
 /// Pixels across a voxel from which on a prediction is rough.
 const TOO_COARSE: f64 = 6.0;
 
-/// Lengths of absorption from the wall to the middle of a vial, above which a print suffers: a letter in the middle has an IoU of 1.000 at 4.25, 0.970 at 4.5, 0.641 at 5 and
-/// 0.442 at 7.
-const DARK_INSIDE: f64 = 4.25;
+/// Lengths of absorption from the wall to the middle of a vial, above which next to no light arrives there: e⁻⁷ is a thousandth.
+const DARK_INSIDE: f64 = 7.0;
 
 /// How far the target of a job may reach into a wall, mm.
 pub(crate) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Result<f64> {
@@ -171,8 +170,8 @@ impl Optics {
         deep.filter(|&(_, lengths)| lengths > DARK_INSIDE)
             .map(|(i, lengths)| {
                 format!(
-                    "light[{i}]: from the wall to the middle of the vial are {} mm, {} lengths of attenuation (resin.absorption_per_mm, or attenuation_per_mm where it is given): little \
-                     light arrives there, and the resin at the wall cures first; with {} per mm it is one length",
+                    "light[{i}]: from the wall to the middle of the vial are {} mm, {} lengths of attenuation (resin.absorption_per_mm, or attenuation_per_mm where it is given): next to \
+                     no light arrives there, and the resin at the wall cures first; with {} per mm it is one length",
                     concise(radius),
                     significant(lengths, 2),
                     significant(1.0 / radius, 2),
