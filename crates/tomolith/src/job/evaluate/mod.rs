@@ -3,6 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
+mod around;
 pub(crate) mod contact;
 pub(crate) mod doubts;
 pub(crate) mod in_time;
@@ -237,6 +238,10 @@ pub(crate) fn evaluate_patterns(
     let noise = Noise::of(job, &voxels[0], shown, work)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
     let mut warnings = doubts_of(job, shown, &species, &noise, &agreement, progress)?;
+    if let Some(text) = around::of_resin(job, shown, &species, work)? {
+        warnings.push(text.clone());
+        progress.event(&Event::Warning { text });
+    }
     let one_exposure = together(job, &species, &mut warnings, progress);
     show(shown, &job.species, &species, progress);
     Ok(Evaluated {

@@ -1,0 +1,159 @@
+//! The resin around the voxels of a job: whether it solidifies, of which no number of the print knows.
+//!
+//! Light passes the resin between wall and part before it is weakened. Where that is deep, the wall solidifies first: a gear of 3 mm in a vial of 7.6 mm radius has an IoU of
+//! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
+//!
+//! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count.
+//! **Limits** Not looked at: scattered and coherent light, stored models, gray targets, prints in time. What is finer than the voxels is averaged.
+
+use super::SpeciesPrint;
+use crate::error::Result;
+use crate::grid::{Patterns, VolumeGrid};
+use crate::job::dose::doses::{Doses, Exposed};
+use crate::job::resolve::ResolvedJob;
+use crate::models::Work;
+use crate::report::number::significant;
+
+/// Voxels across the vial, and along its height.
+const ACROSS: usize = 64;
+const SLICES: usize = 8;
+
+/// Solid voxels from which on there is something.
+const LEAST: usize = 4;
+
+/// Warns where resin around the voxels of a print solidifies.
+pub(super) fn of_resin(
+    job: &ResolvedJob,
+    shown: &[Patterns],
+    prints: &[SpeciesPrint],
+    work: &Work,
+) -> Result<Option<String>> {
+    let optics = &job.optics;
+    let is_stored = |family: &crate::models::Family| family.capabilities().is_stored;
+    if job.schedule().is_some()
+        || optics.scene().scatters()
+        || optics.model.as_ref().is_some_and(is_stored)
+    {
+        return Ok(None);
+    }
+    let radius = optics.vial.resin_wall().inscribed_radius();
+    let grid = across(&job.grid, radius);
+    let around = places(&grid, &job.grid, radius);
+    if around.len() < LEAST {
+        return Ok(None);
+    }
+    let mut doses = Doses::new(job, optics);
+    doses.will_show(&[shown]);
+    let exposed = Exposed::new(&grid, optics.lights_turning(1));
+    let found = doses.of(&exposed, shown, &work.aside());
+    work.check()?;
+    // Voxels of this size may be too coarse for a model
+    let Ok((doses, _)) = found else {
+        return Ok(None);
+    };
+    let each = job.species.iter().zip(prints).zip(&doses);
+    let of_species = |((species, print), dose): ((_, &SpeciesPrint), &crate::grid::Volume<f32>)| {
+        let species: &crate::job::resolve::Species = species;
+        let threshold = print.evaluation.gel_threshold?;
+        let gels = species.goal.response.as_ref().inverse(threshold as f32);
+        let solid = around.iter().filter(|&&i| dose.values[i] > gels);
+        let most = |most: Option<usize>, &i: &usize| {
+            most.filter(|&other| dose.values[other] >= dose.values[i])
+                .or(Some(i))
+        };
+        let is_solid = !print.fine.target.gray && solid.clone().count() >= LEAST;
+        let at = solid.fold(None, most).filter(|_| is_solid)?;
+        Some((at, f64::from(dose.values[at] / gels)))
+    };
+    let worst = each
+        .filter_map(of_species)
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    Ok(worst.map(|(at, times)| said(&grid, at, times, radius)))
+}
+
+fn said(grid: &VolumeGrid, at: usize, times: f64, radius: f64) -> String {
+    let [x, y, _] = grid.middle(at);
+    format!(
+        "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and no number of this print knows of it. \
+         Use a resin that absorbs less (with resin.absorption_per_mm = {} light falls to 1/e from the wall to the middle), or a vial no wider than the part needs; \
+         voxels across the vial (grid.shape) show where",
+        significant(x.hypot(y), 2),
+        significant(times, 2),
+        significant(1.0 / radius, 2),
+    )
+}
+
+/// Voxels across a vial, over the heights of a grid.
+fn across(grid: &VolumeGrid, radius: f64) -> VolumeGrid {
+    let height_mm = grid.shape[0] as f64 * grid.height_mm / SLICES as f64;
+    VolumeGrid {
+        shape: [SLICES, ACROSS, ACROSS],
+        pitch_mm: 2.0 * radius / ACROSS as f64,
+        height_mm,
+        center_mm: [0.0, 0.0, grid.center_mm[2]],
+    }
+}
+
+/// The voxels that lie in the resin as a whole, and not in the box of the job.
+fn places(grid: &VolumeGrid, job: &VolumeGrid, radius: f64) -> Vec<usize> {
+    let [low, high] = job.bounds_mm();
+    let edge = grid.pitch_mm;
+    let is_around = |&i: &usize| {
+        let [x, y, _] = grid.middle(i);
+        let is_inside = (0..2).all(|k| {
+            let at = [x, y][k];
+            at > low[k] - edge && at < high[k] + edge
+        });
+        !is_inside && x.hypot(y) < radius - edge
+    };
+    (0..grid.len()).filter(is_around).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::evaluate::evaluate_patterns;
+    use crate::job::progress::Silent;
+    use crate::job::tests::job_of;
+
+    #[test]
+    fn a_wall_that_solidifies_before_the_part_is_a_warning() {
+        let text = r#"
+            target = { phantom = { cylinder = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 4.0 } }
+            evaluate = { refine = 1, sub_angles = 1 }
+            light = [{ pixels = [12, 14], angles = 40, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        "#;
+        let warnings = |changes: &[&str]| {
+            let job = ResolvedJob::under(&job_of(text, changes), &Work::new()).unwrap();
+            let mut patterns = Patterns::dark(job.optics.lights[0].pixels.clone());
+            patterns.values.fill(1.0);
+            let (shown, run) = ([patterns], Work::new());
+            let voxels = job.own_voxels(&run).unwrap();
+            let printed = evaluate_patterns(&job, voxels, &shown, None, None, &mut Silent, &run);
+            let around = |text: &&String| text.starts_with("resin around the voxels");
+            printed
+                .unwrap()
+                .warnings
+                .into_iter()
+                .filter(|text| around(&text))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(warnings(&[]), [""; 0]);
+        let deep = warnings(&["resin.absorption_per_mm=1.5"]);
+        // Even light over 1.2 mm has e^(1.5·3.4) = 164 times as much power at 3.9 mm as at 0.5 mm, on a circle 7.8 times as long
+        tomolith_core::contains!(
+            deep[0],
+            "mm from the axis it gets",
+            "with resin.absorption_per_mm = 0.25"
+        );
+        // Voxels across the vial see it themselves
+        let seen = [
+            "resin.absorption_per_mm=1.5",
+            "grid={ shape = [84, 84, 14], pitch_mm = 0.1 }",
+        ];
+        assert_eq!(warnings(&seen), [""; 0]);
+    }
+}
