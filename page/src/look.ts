@@ -149,8 +149,9 @@ class Look {
 
   /** Says what the voxel under a point is, by its middle, as the planes name theirs. */
   private read(under: Point): void {
-    const point = this.planes.options.grid.middleAt(under);
-    const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
+    const { grid } = this.planes.options;
+    const point = grid.middleAt(under);
+    const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm, grid.pitch[axis])}`).join(", ");
     const body = bodyAt(this.volumes.bodies, point);
     this.readout.textContent = [`${place} mm`, ...this.layers.map((layer) => layer.value(point)), ...(body === null ? [] : [body])].join("  ·  ");
   }

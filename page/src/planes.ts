@@ -63,7 +63,9 @@ export class Planes {
     this.views.forEach((view) => view.end());
     this.views = shown.map((one) => new PlaneView(this, one));
     const { grid } = this.options;
-    const widths = shown.map(({ axis }) => `minmax(0, ${extent(grid, ACROSS[axis][0]).toFixed(4)}fr)`);
+    const extents = shown.map(({ axis }) => extent(grid, ACROSS[axis][0]));
+    // Shares below 1 in all would leave room
+    const widths = extents.map((mm) => `minmax(0, ${(mm / Math.max(...extents)).toFixed(4)}fr)`);
     this.element.style.setProperty("--columns", widths.join(" "));
     const [x, y, z] = ([0, 1, 2] as const).map((axis) => extent(grid, axis));
     const isTriple = shown.length === 3 && new Set(shown.map(({ axis }) => axis)).size === 3;
@@ -202,7 +204,7 @@ class PlaneView {
       [this.image.width, this.image.height] = [width, height];
       this.image.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height), 0, 0);
     }
-    const text = `${AXES[axis]} = ${millimeters(mm)} mm`;
+    const text = `${AXES[axis]} = ${millimeters(mm, grid.pitch[axis])} mm`;
     this.place.textContent = `${text} · ${index + 1} of ${grid.shape[axis]}`;
     this.slider.value = String(index);
     this.slider.setAttribute("aria-valuetext", text);
@@ -428,7 +430,7 @@ function niceLength(most: number): number {
   return Number((times * power).toPrecision(3));
 }
 
-/** "−0.042". */
-export function millimeters(mm: number): string {
-  return mm.toFixed(3).replace("-", "−");
+/** "−0.042", with digits that tell one voxel from the next. */
+export function millimeters(mm: number, pitch: number): string {
+  return mm.toFixed(Math.max(3, Math.ceil(1 - Math.log10(pitch)))).replace("-", "−");
 }
