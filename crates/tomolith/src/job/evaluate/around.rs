@@ -4,7 +4,7 @@
 //! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
 //!
 //! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count.
-//! **Limits** Not looked at: scattered and coherent light, stored models, gray targets, prints in time. What is finer than the voxels is averaged.
+//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, scattered and coherent light, stored models, gray targets, prints in time. What is finer than the voxels is averaged.
 
 use super::SpeciesPrint;
 use crate::error::Result;
@@ -12,6 +12,7 @@ use crate::grid::{Patterns, VolumeGrid};
 use crate::job::dose::doses::{Doses, Exposed};
 use crate::job::resolve::ResolvedJob;
 use crate::models::Work;
+use crate::optics::light::Light;
 use crate::report::number::significant;
 
 /// Voxels across the vial, and along its height.
@@ -20,6 +21,9 @@ const SLICES: usize = 8;
 
 /// Solid voxels from which on there is something.
 const LEAST: usize = 4;
+
+/// Lengths of attenuation from the wall to the middle of the vial up to which a wall gets less dose than a part within it.
+const CLEAR: f64 = 1.5;
 
 /// Warns where resin around the voxels of a print solidifies.
 pub(super) fn of_resin(
@@ -37,6 +41,11 @@ pub(super) fn of_resin(
         return Ok(None);
     }
     let radius = optics.vial.resin_wall().inscribed_radius();
+    let is_clear =
+        |light: &Light| light.map.is_none() && light.resin.attenuation_per_mm * radius < CLEAR;
+    if optics.lights.iter().all(is_clear) {
+        return Ok(None);
+    }
     let grid = across(&job.grid, radius);
     let around = places(&grid, &job.grid, radius);
     if around.len() < LEAST {
