@@ -3,6 +3,7 @@
 use crate::number::significant;
 use crate::{ReportData, SpeciesReport, gap_sentence, time_sentence};
 use serde::Serialize;
+use tomolith_core::units::counted;
 use tomolith_metrics::Evaluation;
 
 /// A sentence about one of several things.
@@ -62,7 +63,10 @@ fn facts(data: &ReportData<'_>) -> Vec<(String, String)> {
         let (frames, columns, rows, bits) = (g.frames(), g.columns, g.rows, light.bits);
         (
             format!("Light {}", light.name).trim_end().to_owned(),
-            format!("{frames} frames of {columns} × {rows}, {bits} bit{wave}"),
+            format!(
+                "{} of {columns} × {rows}, {bits} bit{wave}",
+                counted(frames, "frame")
+            ),
         )
     });
     data.facts.iter().cloned().chain(lights).collect()
