@@ -445,7 +445,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     warn_of_wide(&mut answer, fit.ranges.as_ref());
     if fit.is_order_at_end {
         answer.warn(format!(
-            "the best order of the cure is at the end of its range, 0 to 1, or beyond it: {} is the best within",
+            "the best order of the cure is at the end of its range, 0 to 1, or beyond it; within it, {} is best",
             concise(resin.order)
         ));
     }
