@@ -554,6 +554,19 @@ mod tests {
         fit(&path)
     }
 
+    #[test]
+    fn halves_of_diameters_are_taken_for_radii() {
+        // r₀ + b·ln(E/E_c − 1) with b = 0.05 and E_c = 10 is the radius, half of the diameter; half of that lies below r₀
+        let sizes = |share: f64| {
+            let size = |e: f64| share * (0.6 + 0.05 * (e / 10.0 - 1.0).ln());
+            let rows = [12.0, 20.0, 40.0, 80.0].map(|e| (e, format!("1,,{}", size(e))));
+            fitted(&rows.each_ref().map(|(e, cells)| (*e, cells.as_str())))
+        };
+        assert!((sizes(2.0).unwrap().critical_mj_per_cm2 - 10.0).abs() < 1e-3);
+        let message = sizes(1.0).unwrap_err().to_string();
+        tomolith_core::contains!(message, "of light 1.2 mm wide", "diameters, not radii");
+    }
+
     /// Depths of 1.5 mm·ln(E/20).
     #[test]
     fn of_several_columns_depths_are_fitted_and_compared_with_what_cured() {

@@ -362,6 +362,10 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
     );
     // Every voxel in the field is lit by a pixel or more of each of the five frames
     assert!(entries >= 5 * rows, "{found}");
+    // While the vial turns, by more of them than where it stands
+    let line = format!("export-matrix job.toml {small} --set light.sub_angles=1 --output s.npz");
+    let standing = bench.json(&line)["entries"].as_u64().unwrap();
+    assert!(entries > standing, "{entries}, {standing}");
     assert_eq!(fs::read(bench.path("m.npz")).unwrap()[..2], *b"PK");
     bench.refuse("export-matrix job.toml --output m.txt", &[".npz"]);
     bench.refuse("export-matrix none.toml --output m.npz", &["none.toml"]);

@@ -467,6 +467,12 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     let budget = &report["lights"][0]["budget"];
     let b = &bench.json("expose b")["plan"];
     let a = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];
+    bench.write("other.toml", "pixel_pitch_mm = 0.5");
+    let other = "expose a --printer other.toml --irradiance 25 --critical-dose 0.8";
+    bench.refuse(
+        other,
+        &["--printer: pixels of 0.5 × 0.5 mm, and the frames of this run have pixels of"],
+    );
     let time = budget["time_s"].as_f64().unwrap();
     for plan in [a, b] {
         near(&plan["continuous_s"], time, 2e-3 * time);

@@ -86,3 +86,35 @@ fn a_print_of_hours_is_warned_of() {
     let text = " h, and resin keeps still for minutes";
     assert!(at("0.001").contains(text) && !at("10").contains(text));
 }
+
+#[test]
+fn lights_that_follow_each_other_share_the_time() {
+    let light = |name: &str, peak: f64| {
+        format!(
+            "{{ name = \"{name}\", pixels = [24, 20], angles = 24, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }}, printer = {{ peak_irradiance_mw_per_cm2 = {peak} }} }}"
+        )
+    };
+    let bound = |lights: &[String]| {
+        let lights = format!("light=[{}]", lights.join(", "));
+        let changes = [
+            lights.as_str(),
+            "printer={ time_s = 40.0 }",
+            "evaluate.threshold=0.8",
+        ];
+        let job = job_of(&[BALL, PRINTER].concat(), &changes).unwrap();
+        let plan = tomolith::job::check(&job, &mut Silent, &tomolith::work::Work::new()).unwrap();
+        let mut notes = plan.notes.iter();
+        let note = notes.find_map(|note| note.split_once("the brightest pixel gives "));
+        let (value, _) = note.unwrap().1.split_once(':').unwrap();
+        value.parse::<f64>().unwrap()
+    };
+    let [bright, dim] = [light("a", 20.0), light("b", 10.0)];
+    let alone = [&bright, &dim].map(|light| bound(std::slice::from_ref(light)));
+    // The time of a pixel is its value over the irradiance, light after light
+    let together = bound(&[bright, dim]);
+    let expected = 1.0 / (1.0 / alone[0] + 1.0 / alone[1]);
+    assert!(
+        (together / expected - 1.0).abs() < 1e-3,
+        "{together} {alone:?}"
+    );
+}

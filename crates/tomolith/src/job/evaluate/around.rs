@@ -83,7 +83,7 @@ pub(super) fn of_resin(
 fn said(grid: &VolumeGrid, at: usize, times: f64, radius: f64) -> String {
     let [x, y, _] = grid.middle(at);
     format!(
-        "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and no number of this print knows of it. \
+        "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and the numbers of this print leave it out. \
          Use a resin that absorbs less (with resin.absorption_per_mm = {} light falls to 1/e from the wall to the middle), or a vial no wider than the part needs; \
          voxels across the vial (grid.shape) show where",
         significant(x.hypot(y), 2),
