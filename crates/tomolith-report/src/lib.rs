@@ -350,6 +350,7 @@ mod tests {
                 patterns,
                 history: (0..5).map(row).collect(),
                 limits: PrintLimits {
+                    spoiled: None,
                     sentence: "Predicted IoU 1.".to_owned(),
                     causes: vec![Limit {
                         cause: Cause::Turning,

@@ -54,6 +54,8 @@ impl Serialize for Limit {
 /// All causes that were measured.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PrintLimits {
+    /// What spoils the print, of which its numbers do not know, in a sentence.
+    pub spoiled: Option<String>,
     /// All of it in one line.
     pub sentence: String,
     /// The largest loss first.

@@ -34,7 +34,7 @@ impl<'a> Texts<'a> {
     pub(super) fn of(data: &'a ReportData<'a>) -> Self {
         let print_time_mm = data.evaluation.measures.get("print_time_mm");
         Texts {
-            lead: sentence(data.evaluation) + &first_of(data),
+            lead: spoiled(data) + &sentence(data.evaluation) + &first_of(data),
             print_time: time_sentence(print_time_mm, data.ceiling),
             facts: facts(data),
             exposure: exposures(data),
@@ -129,6 +129,12 @@ fn first_of(data: &ReportData<'_>) -> String {
         first.name,
         all.join(", ")
     )
+}
+
+/// What spoils the print comes first.
+fn spoiled(data: &ReportData<'_>) -> String {
+    let spoiled = data.limits.spoiled.as_ref();
+    spoiled.map_or_else(String::new, |text| format!("{text} "))
 }
 
 /// The result in words.

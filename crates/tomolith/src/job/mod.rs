@@ -142,7 +142,7 @@ folder = "out/part"
                 spec.evaluate.refine,
                 spec.output.rpm
             ),
-            (4, None, 10.0)
+            (None, None, 10.0)
         );
         assert_eq!(spec.grid.region, Region::Cylinder);
     }
@@ -150,7 +150,7 @@ folder = "out/part"
     #[test]
     fn a_resolved_job_reads_back_as_itself() {
         let text = read(FULL).unwrap().to_toml().unwrap();
-        assert!(text.contains("sub_angles = 4"), "{text}");
+        assert!(text.contains("bit_depth = 8"), "{text}");
         assert_eq!(read(&text).unwrap().to_toml().unwrap(), text);
     }
 

@@ -161,14 +161,17 @@ fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
         || super::in_time::diffuses(resolved);
     let fine = resolved.fine_grid();
     let exposed = Exposed::new(&level.grid, level.lights.clone());
-    let is_own = |angles| Exposed::new(&fine, resolved.optics.lights_turning(angles)) == exposed;
+    let is_own = |lights| Exposed::new(&fine, lights) == exposed;
+    let evaluated = resolved.optics.lights_turning(&resolved.evaluated_angles);
     let is_plain = |(level, light): (&Light, &Light)| {
         level.pixels == light.pixels && !light.selection.is_any() && light.point_spread.is_none()
     };
     let mut lights = level.lights.iter().zip(&resolved.optics.lights);
     if is_joined
         || resolved.grid != fine
-        || ![1, resolved.evaluated_angles()].into_iter().all(is_own)
+        || ![resolved.optics.lights_standing(), evaluated]
+            .into_iter()
+            .all(is_own)
         || !lights.all(is_plain)
     {
         return Ok(false);

@@ -222,7 +222,7 @@ fn paths_per_pixel(most: usize, count: usize) -> usize {
 
 /// The lights of a job with the pixels that patterns light.
 fn lit(job: &ResolvedJob, patterns: &[Patterns]) -> Vec<Light> {
-    let mut lights = job.optics.lights_turning(1);
+    let mut lights = job.optics.lights_standing();
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
         light.selection = Selection::default();

@@ -149,7 +149,7 @@ pub(crate) fn standing_by(
     work: &Work,
 ) -> Result<Volume<f32>> {
     let lit = patterns.iter().map(lit_rows).collect();
-    let lights = lit_alone(job.optics.lights_turning(1), lit);
+    let lights = lit_alone(job.optics.lights_standing(), lit);
     let (optics, grid) = (&job.optics, &job.grid);
     let making = &work.part(0.1);
     let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
@@ -274,7 +274,7 @@ mod tests {
             lit(&|i| i / 20 % 14 > 9 && i % 2 == 0),
         ];
         for sub_angles in [1, 3] {
-            let exposed = Exposed::new(&job.grid, job.optics.lights_turning(sub_angles));
+            let exposed = Exposed::new(&job.grid, job.optics.lights_turning(&[sub_angles]));
             let mut both = Doses::new(&job, &job.optics);
             both.will_show(&[&all[0], &all[1]]);
             for patterns in &all {

@@ -60,7 +60,7 @@ fn probe(job: &ResolvedJob, work: &Work) -> Result<Option<CrossCheck>> {
         return Ok(None);
     }
     let voxels = &job.voxels(&grid, &Work::new())?[0];
-    let lights = job.optics.lights_turning(1);
+    let lights = job.optics.lights_standing();
     let optics = job.optics.scene().lit_by(&lights);
     let straight = family.unscattered(&ModelInput::new(optics, &grid, work)?)?;
     let brought = contributions(straight.as_ref(), &voxels.wanted(), work)?;

@@ -4,7 +4,7 @@
 //! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
 //!
 //! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count.
-//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, scattered and coherent light, stored models, gray targets, prints in time. What is finer than the voxels is averaged.
+//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, scattered and coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
 
 use super::SpeciesPrint;
 use crate::error::Result;
@@ -25,16 +25,26 @@ const LEAST: usize = 4;
 /// Lengths of attenuation from the wall to the middle of the vial up to which a wall gets less dose than a part within it.
 const CLEAR: f64 = 1.5;
 
-/// Warns where resin around the voxels of a print solidifies.
+/// Resin around the voxels of a print that solidifies.
+pub(crate) struct Around {
+    /// The most dose there, in those at which the part gels.
+    times: f64,
+    /// How far from the axis, mm.
+    from_axis_mm: f64,
+    /// Radius of the resin, mm.
+    radius_mm: f64,
+}
+
+/// Whether resin around the voxels of a print solidifies, and where most.
 pub(super) fn of_resin(
     job: &ResolvedJob,
     shown: &[Patterns],
     prints: &[SpeciesPrint],
     work: &Work,
-) -> Result<Option<String>> {
+) -> Result<Option<Around>> {
     let optics = &job.optics;
     let is_stored = |family: &crate::models::Family| family.capabilities().is_stored;
-    if job.schedule().is_some()
+    if job.schedule().is_some_and(|given| given.own_patterns)
         || optics.scene().scatters()
         || optics.model.as_ref().is_some_and(is_stored)
     {
@@ -53,7 +63,7 @@ pub(super) fn of_resin(
     }
     let mut doses = Doses::new(job, optics);
     doses.will_show(&[shown]);
-    let exposed = Exposed::new(&grid, optics.lights_turning(1));
+    let exposed = Exposed::new(&grid, optics.lights_standing());
     let found = doses.of(&exposed, shown, &work.aside());
     work.check()?;
     // Voxels of this size may be too coarse for a model
@@ -77,19 +87,35 @@ pub(super) fn of_resin(
     let worst = each
         .filter_map(of_species)
         .max_by(|a, b| a.1.total_cmp(&b.1));
-    Ok(worst.map(|(at, times)| said(&grid, at, times, radius)))
+    Ok(worst.map(|(at, times)| {
+        let [x, y, _] = grid.middle(at);
+        Around {
+            times,
+            from_axis_mm: x.hypot(y),
+            radius_mm: radius,
+        }
+    }))
 }
 
-fn said(grid: &VolumeGrid, at: usize, times: f64, radius: f64) -> String {
-    let [x, y, _] = grid.middle(at);
-    format!(
-        "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and the numbers of this print leave it out. \
-         Use a resin that absorbs less (with resin.absorption_per_mm = {} light falls to 1/e from the wall to the middle), or a vial no wider than the part needs; \
-         voxels across the vial (grid.shape) show where",
-        significant(x.hypot(y), 2),
-        significant(times, 2),
-        significant(1.0 / radius, 2),
-    )
+impl Around {
+    /// In one sentence, for what speaks of the print.
+    pub(crate) fn sentence(&self) -> String {
+        format!(
+            "Outside the voxels of this job resin gets {} times the dose at which the part gels, and solidifies: the numbers of this print leave that out.",
+            significant(self.times, 2)
+        )
+    }
+
+    pub(super) fn warning(&self) -> String {
+        format!(
+            "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and the numbers of this print leave it out. \
+             Use a resin that absorbs less (with resin.absorption_per_mm = {} light falls to 1/e from the wall to the middle), or a vial no wider than the part needs; \
+             voxels across the vial (grid.shape) show where",
+            significant(self.from_axis_mm, 2),
+            significant(self.times, 2),
+            significant(1.0 / self.radius_mm, 2),
+        )
+    }
 }
 
 /// Voxels across a vial, over the heights of a grid.

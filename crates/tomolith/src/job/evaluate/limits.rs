@@ -1,6 +1,7 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
 use super::SpeciesPrint;
+use super::around::Around;
 use super::doubts::{held_by, of_background};
 use crate::exposure::Printer;
 use crate::grid::Patterns;
@@ -50,8 +51,13 @@ pub(crate) fn limits(
         optimized,
         is_toy,
     };
+    let spoiled = evaluated.around.as_ref().map(Around::sentence);
     let prints = evaluated.species.iter().enumerate();
-    prints.map(|(s, print)| asked.limits(s, print)).collect()
+    let limits = |(s, print)| PrintLimits {
+        spoiled: spoiled.clone(),
+        ..asked.limits(s, print)
+    };
+    prints.map(limits).collect()
 }
 
 /// What is the same for every species of a job.
@@ -69,7 +75,7 @@ impl Asked<'_> {
                 "The patterns leave no dose in the part: nothing of it prints.".to_owned();
             return PrintLimits {
                 sentence,
-                causes: Vec::new(),
+                ..PrintLimits::default()
             };
         }
         let mut limits = self.measurements(s, print).limits();
@@ -136,7 +142,7 @@ impl Asked<'_> {
             has_background: (self.optimized)
                 .is_some_and(|optimized| of_background(resolved, &optimized.raw).is_some()),
             best: at_best(evaluated),
-            stands: resolved.evaluated_angles() == 1 && resolved.optimizes_turning(),
+            stands: resolved.most_evaluated_angles() == 1 && resolved.optimizes_turning(),
             ends: resolved.row_ends(s, &print.fine.target.inside),
             falling: self.falling(s),
         }
@@ -264,6 +270,7 @@ impl Measurements {
         PrintLimits {
             sentence: self.sentence(&causes).unwrap_or_default(),
             causes,
+            spoiled: None,
         }
     }
 

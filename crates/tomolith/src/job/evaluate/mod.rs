@@ -3,7 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
-mod around;
+pub(crate) mod around;
 pub(crate) mod contact;
 pub(crate) mod doubts;
 pub(crate) mod in_time;
@@ -35,6 +35,7 @@ use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
 use crate::models::Work;
 use crate::report::{ObjectiveReport, OneExposure, ScenarioTable};
 use crate::target::label;
+use around::Around;
 use contact::Contact;
 
 use in_time::{InTime, print_in_time};
@@ -72,6 +73,8 @@ pub(crate) struct Evaluated {
     pub(crate) one_exposure: Option<OneExposure>,
     /// The same patterns in the job's scenarios.
     pub(crate) scenarios: Option<ScenarioTable>,
+    /// Resin outside the voxels of the job that solidifies.
+    pub(crate) around: Option<Around>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -190,7 +193,7 @@ pub(crate) fn evaluate_patterns(
     let text = steps.words();
     progress.event(&Event::Note { text });
     let unrounded = steps.unrounded(voxels, raw)?;
-    let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
+    let grid = steps.grid.clone();
     let stats = PatternStats::of(shown);
     let (doses, model) = steps.while_turning()?;
     // Only now: a dose takes as much memory again while it is brought into the order of arrays
@@ -203,7 +206,9 @@ pub(crate) fn evaluate_patterns(
         work.check()?;
         let measured = numbers(job, s, &fine, dose, shown, stats, work)?;
         work.check()?;
-        let evaluation = measured.evaluation.with_sub_angles(sub_angles);
+        let evaluation = measured
+            .evaluation
+            .with_sub_angles(job.most_evaluated_angles());
         published = published.or(measured.published);
         species.push(SpeciesPrint {
             written: headline_of(job, &written, s, &evaluation, &fine),
@@ -233,12 +238,13 @@ pub(crate) fn evaluate_patterns(
         let inside = &first.fine.target.inside;
         Contact::of(job.shape(), inside, &first.response, threshold)
     });
-    let scenarios = in_scenarios(job, shown, first, &grid, sub_angles, work)?;
+    let scenarios = in_scenarios(job, shown, first, &grid, work)?;
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
     let noise = Noise::of(job, &voxels[0], shown, work)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
     let mut warnings = doubts_of(job, shown, &species, &noise, &agreement, progress)?;
-    if let Some(text) = around::of_resin(job, shown, &species, work)? {
+    let around = around::of_resin(job, shown, &species, work)?;
+    if let Some(text) = around.as_ref().map(Around::warning) {
         warnings.push(text.clone());
         progress.event(&Event::Warning { text });
     }
@@ -258,6 +264,7 @@ pub(crate) fn evaluate_patterns(
         in_time,
         one_exposure,
         scenarios,
+        around,
         warnings,
     })
 }
@@ -285,12 +292,11 @@ fn in_scenarios(
     shown: &[Patterns],
     print: &SpeciesPrint,
     grid: &VolumeGrid,
-    sub_angles: usize,
     work: &Work,
 ) -> Result<Option<ScenarioTable>> {
     let (labels, threshold) = (&print.fine.labels.values, print.evaluation.gel_threshold);
     scenarios::table(job, labels, &print.response, threshold, |scenario| {
-        let turning = Exposed::new(grid, scenario.optics.lights_turning(sub_angles));
+        let turning = Exposed::new(grid, scenario.optics.lights_turning(&job.evaluated_angles));
         let mut doses = Doses::new(job, &scenario.optics);
         doses.will_show(&[shown]);
         let (mut doses, _) = doses.of(&turning, shown, &work.aside())?;
@@ -503,7 +509,7 @@ pub(crate) fn measure_at(
     if !job.evaluation().surfaces {
         print = print.without_distance();
     }
-    Ok(evaluate(&print).with_sub_angles(job.evaluated_angles()))
+    Ok(evaluate(&print).with_sub_angles(job.most_evaluated_angles()))
 }
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
@@ -633,7 +639,7 @@ mod tests {
             assert_eq!(steps_of(&[refine], false).0, [None, written, turning]);
         }
         // Nothing to ask
-        let counted = ["evaluate.refine=2", "light.sub_angles=4"];
+        let counted = ["evaluate.refine=2", "light.sub_angles=6"];
         assert_eq!(steps_of(&counted, true).0, [turning, turning, None]);
         assert_eq!(steps_of(&counted, false).0, [None; 3]);
         let standing = ["evaluate.refine=1", "evaluate.sub_angles=1"];

@@ -31,7 +31,6 @@ pub(super) struct EvaluationSteps<'a> {
     as_optimized: Exposed,
     own_turning: Exposed,
     turning: Exposed,
-    pub(super) sub_angles: usize,
     doses: Doses<'a>,
 }
 
@@ -42,10 +41,9 @@ impl<'a> EvaluationSteps<'a> {
         evaluation_model: Option<&'a EvaluationModel>,
         work: &'a Work,
     ) -> Self {
-        let sub_angles = job.evaluated_angles();
         let grid = job.fine_grid();
         let [own_turning, turning] = [&job.grid, &grid]
-            .map(|grid| Exposed::new(grid, job.optics.lights_turning(sub_angles)));
+            .map(|grid| Exposed::new(grid, job.optics.lights_turning(&job.evaluated_angles)));
         EvaluationSteps {
             job,
             shown,
@@ -54,14 +52,13 @@ impl<'a> EvaluationSteps<'a> {
             grid,
             own_turning,
             turning,
-            sub_angles,
             doses: Doses::new(job, &job.optics).by(evaluation_model),
         }
     }
 
     pub(super) fn words(&self) -> String {
         let [nz, ny, nx] = self.grid.shape;
-        let how = match self.sub_angles {
+        let how = match self.job.most_evaluated_angles() {
             1 => "the vial stands still during each frame".to_owned(),
             n => format!("turning ({n} angles per frame)"),
         };

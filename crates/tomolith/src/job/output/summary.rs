@@ -281,7 +281,8 @@ impl fmt::Display for Summary {
             )?;
         }
         let time = self.print_time.clone();
-        let texts = (self.all_limits().into_iter()).chain(self.exposures());
+        let spoiled = self.limits.spoiled.clone().into_iter();
+        let texts = spoiled.chain(self.all_limits()).chain(self.exposures());
         for text in texts.chain(time) {
             writeln!(f, "\n{text}")?;
         }

@@ -1,6 +1,7 @@
 //! Whether what a job has built fits together: the target into vial and light, a stored matrix to voxels and frames.
 
 use super::optics::Optics;
+use super::refinement::LEAST_ANGLES;
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::job::spec::JobSpec;
@@ -50,7 +51,7 @@ impl Optics {
         let Some(stored) = model.filter(|model| model.capabilities().is_stored) else {
             return Ok(());
         };
-        if (evaluate.refine, evaluate.sub_angles) == (Some(1), 1) {
+        if (evaluate.refine, evaluate.sub_angles) == (Some(1), Some(1)) {
             return Ok(());
         }
         let name = stored.name();
@@ -59,7 +60,7 @@ impl Optics {
             format!(
                 "refine = {} and sub_angles = {}, but a {name} is known for its own voxels and frames only",
                 evaluate.refine.unwrap_or(LEAST_REFINE),
-                evaluate.sub_angles
+                evaluate.sub_angles.unwrap_or(LEAST_ANGLES)
             ),
             format!("refine = 1 and sub_angles = 1 with [model.{name}]"),
         ))

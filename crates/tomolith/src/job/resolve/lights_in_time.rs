@@ -55,7 +55,7 @@ pub(crate) struct Lights<'a> {
 
 impl<'a> Lights<'a> {
     pub(crate) fn new(job: &'a ResolvedJob, lit: Vec<Vec<(u32, u32)>>, work: &'a Work) -> Self {
-        let mut lights = job.optics.lights_turning(job.evaluated_angles());
+        let mut lights = job.optics.lights_turning(&job.evaluated_angles);
         for (light, lit) in lights.iter_mut().zip(lit) {
             light.active = Some(lit);
             light.selection = Selection::default();

@@ -129,6 +129,8 @@ pub struct ResolvedJob {
     models: &'static [ModelKind],
     /// Name of the part.
     pub(crate) name: String,
+    /// At how many angles the evaluation averages a frame, light by light.
+    pub(crate) evaluated_angles: Vec<usize>,
     /// What hardens in the resin: one species at least.
     pub(crate) species: Vec<Species>,
     /// How patterns are searched.
@@ -286,7 +288,9 @@ impl ResolvedJob {
             .iter()
             .map(|species| species.shape.warnings())
             .collect();
+        let evaluated_angles = refinement::evaluated_angles(spec, &optics.lights, bounds_mm);
         let mut resolved = ResolvedJob {
+            evaluated_angles,
             name: spec.target.name(),
             warnings: [
                 named(&species, of_shapes),
@@ -382,14 +386,9 @@ impl ResolvedJob {
         self.grid.refined(self.extent.refine)
     }
 
-    /// At how many angles of a frame patterns are evaluated: one where all vials stand still.
-    pub(crate) fn evaluated_angles(&self) -> usize {
-        let stands = |light: &Light| light.pixels.frame_arc == 0.0;
-        if self.optics.lights.iter().all(stands) {
-            1
-        } else {
-            self.spec.evaluate.sub_angles
-        }
+    /// At how many angles of a frame patterns are evaluated at most: one where all vials stand still.
+    pub(crate) fn most_evaluated_angles(&self) -> usize {
+        self.evaluated_angles.iter().copied().max().unwrap_or(1)
     }
 
     /// Whether the optimization counts that the vial turns during each frame.
@@ -403,7 +402,7 @@ impl ResolvedJob {
 
     /// Whether only one of evaluation and optimization counts that the vial turns.
     pub(crate) fn misses_turning(&self) -> bool {
-        (self.evaluated_angles() > 1) != self.optimizes_turning()
+        (self.most_evaluated_angles() > 1) != self.optimizes_turning()
     }
 
     /// What light passes in the optimization, and the surface where an objective has cells.

@@ -226,13 +226,18 @@ impl Optics {
     }
 
     /// The same lights with frames averaged over so many angles.
-    pub(crate) fn lights_turning(&self, sub_angles: usize) -> Vec<Light> {
-        let turning = |light: &Light| Light {
+    pub(crate) fn lights_turning(&self, sub_angles: &[usize]) -> Vec<Light> {
+        let turning = |(light, &sub_angles): (&Light, &usize)| Light {
             sub_angles,
             active: None,
             ..light.clone()
         };
-        self.lights.iter().map(turning).collect()
+        self.lights.iter().zip(sub_angles).map(turning).collect()
+    }
+
+    /// All pixels of every light, each frame at its middle.
+    pub(crate) fn lights_standing(&self) -> Vec<Light> {
+        self.lights_turning(&vec![1; self.lights.len()])
     }
 
     /// Whether a point (mm) of a grid counts: it is in the resin and in the region.

@@ -407,6 +407,34 @@ fn turning_angles(spec: &JobSpec, lights: &[Light], part_mm: [[f64; 3]; 2]) -> V
         .collect()
 }
 
+/// Angles at which an evaluation averages a frame at least, where the job leaves it open.
+pub(crate) const LEAST_ANGLES: usize = 4;
+/// Most angles of a turn for which an evaluation takes more of them.
+const ANGLES_OF_A_TURN: usize = 720;
+/// Most angles of a frame.
+const ANGLES_OF_A_FRAME: f64 = 64.0;
+
+/// Angles at which an evaluation averages the frames of each light: one where the vial stands.
+pub(crate) fn evaluated_angles(
+    spec: &JobSpec,
+    lights: &[Light],
+    part_mm: [[f64; 3]; 2],
+) -> Vec<usize> {
+    let wanted = |light: &Light| {
+        let moved = moved_pixels(light, part_mm).ceil().min(ANGLES_OF_A_FRAME) as usize;
+        moved.clamp(
+            LEAST_ANGLES,
+            LEAST_ANGLES.max(ANGLES_OF_A_TURN / light.pixels.frames()),
+        )
+    };
+    let angles = |light: &Light| match spec.evaluate.sub_angles {
+        _ if light.pixels.frame_arc == 0.0 => 1,
+        Some(angles) => angles,
+        None => wanted(light),
+    };
+    lights.iter().map(angles).collect()
+}
+
 /// Power of the deviations on voxels that are fine enough.
 const EXPONENT: f64 = 4.0;
 
@@ -601,6 +629,18 @@ mod tests {
         assert_eq!(angles(&[]), [2, 4]);
         assert_eq!(angles(&["light[1].sub_angles=3"]), [2, 3]);
         assert_eq!(angles(&["light[0].sub_angles=1"]), [1, 4]);
+        let evaluated = |more: &[&str]| {
+            let job = job_of(text, more);
+            let optics = Optics::new(&job.spec, &job.base()).unwrap();
+            evaluated_angles(&job.spec, &optics.lights, [[-0.4; 3], [0.4; 3]])
+        };
+        assert_eq!(evaluated(&[]), [4, 6]);
+        assert_eq!(evaluated(&["light[1].angles=2"]), [4, 18]);
+        assert_eq!(
+            evaluated(&["light[1].angles={ list_deg = [0, 9] }"]),
+            [4, 1]
+        );
+        assert_eq!(evaluated(&["evaluate.sub_angles=3"]), [3, 3]);
         let levels = |sub_angles: &[usize]| {
             let job = job_of(text, &[]);
             let optics = Optics::new(&job.spec, &job.base()).unwrap();

@@ -244,7 +244,7 @@ impl Sample {
 
     /// The lights of a job with these pixels alone.
     fn lights(&self, job: &ResolvedJob) -> Vec<Light> {
-        let mut lights = job.optics.lights_turning(1);
+        let mut lights = job.optics.lights_standing();
         for light in &mut lights {
             let chosen = in_groups(light.pixels.frames(), self.frames, self.together);
             let azimuths = &mut light.pixels.azimuths;

@@ -96,7 +96,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         iterations: resolved.stop().iterations + of_ceiling,
         sub_angles: [
             mean_sub_angles(&resolved.optics.lights),
-            resolved.evaluation().sub_angles as f64,
+            mean_sub_angles(&resolved.optics.lights_turning(&resolved.evaluated_angles)),
         ],
         misses_turning: resolved.misses_turning(),
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),

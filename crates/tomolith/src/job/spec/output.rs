@@ -20,9 +20,10 @@ tomolith_core::keys! {
         /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
         /// are rounded.
         pub levels: Levelling = Levelling::Optimized,
-        /// Angles at which the arc of a frame is averaged.
+        /// Angles at which the arc of a frame is averaged. When left out: 4, and where frames are few one for every pixel that the rim of the part moves, as
+        /// far as a turn then has 720.
         #[schemars(range(min = 1, max = 64))]
-        pub sub_angles: usize = 4,
+        pub sub_angles: Option<usize>,
         /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
         /// optimization's, up to 3·10⁷ voxels, and at least 2.
         #[schemars(range(min = 1, max = 32))]

@@ -226,7 +226,7 @@ impl Job {
         }
         spec.grid.refine = Some(1);
         spec.evaluate.refine.get_or_insert(LEAST_REFINE);
-        spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
+        spec.evaluate.sub_angles = Some(spec.evaluate.sub_angles.unwrap_or(2).min(2));
         if !is_set("evaluate.require_iou") {
             spec.evaluate.require_iou = None;
         }
