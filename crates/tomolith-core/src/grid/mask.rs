@@ -45,6 +45,12 @@ impl PixelMask {
         self.open[(frame * self.shape[1] + row) * self.shape[2] + column]
     }
 
+    /// Whether each may be lit, in the order of patterns.
+    #[must_use]
+    pub fn as_slice(&self) -> &[bool] {
+        &self.open
+    }
+
     /// Whether every pixel may be lit.
     #[must_use]
     pub fn is_open(&self) -> bool {

@@ -170,6 +170,7 @@ fn resuming_says_what_to_do_and_what_has_changed() {
         &["--set", "target.size_mm=1.9"],
         &["target.size_mm was 2, is 1.9"],
     );
+    refused(&["--set", "stop.iou=0.9"], &["stop.iou was"]);
     let file = bench.run_folder().join("checkpoint/state.safetensors");
     let whole = fs::read(&file).unwrap();
     let mut scribbled = whole.clone();
@@ -288,6 +289,27 @@ fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
     assert!(
         names.iter().all(|name| name == "state.safetensors"),
         "{names:?}"
+    );
+}
+
+#[test]
+fn a_checkpoint_belongs_to_the_dead_pixels_of_its_machine() {
+    let bench = Bench::beside_a_run();
+    let job = JOB.replace("[stop]", "[printer]\ndead_pixels = \"dead.npy\"\n[stop]");
+    let with_dead = |pixel: usize, more: &[&str]| {
+        let dead: Vec<f64> = (0..24 * 48)
+            .map(|i| f64::from(u8::from(i == pixel)))
+            .collect();
+        bench.write("dead.npy", &doubles("24, 48", &dead));
+        bench.tomolith(&job, &[&["--quiet"], more].concat())
+    };
+    let (one, another) = (12 * 48 + 24, 11 * 48 + 20);
+    text_of(0, "", &with_dead(one, &[]));
+    text_of(0, "", &with_dead(one, &["--resume"]));
+    let answer = String::from_utf8_lossy(&with_dead(another, &["--resume"]).stderr).into_owned();
+    assert!(
+        answer.contains("what printer.dead_pixels leaves dark was"),
+        "{answer}"
     );
 }
 

@@ -5,6 +5,7 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::identity::of_unlit;
 use crate::models::Work;
 use crate::optimize::Checkpoints;
 use crate::optimize::checkpoint::{CHECKPOINT, Contents};
@@ -167,8 +168,8 @@ const UNIMPORTANT: [&str; 6] = [
     "resources",
 ];
 
-/// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, and the kind of device, whose
-/// memory of earlier steps no other reads.
+/// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, the kind of device, whose
+/// memory of earlier steps no other reads, what ends a run on the job's own voxels, and the pixels that the machines cannot light.
 pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
     let (method, mut tables) = (&resolved.method, resolved.tables(&UNIMPORTANT)?);
     if let Some(pairs) = method.pairs() {
@@ -180,5 +181,20 @@ pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
         "cpu"
     };
     tables["resources"] = serde_json::json!({ "device": device });
+    let stop = resolved.stop();
+    let given = [
+        ("stop.iou", stop.iou.is_some()),
+        ("stop.loss", stop.loss > 0.0),
+        (
+            "stop.relative_loss",
+            stop.relative_loss.is_some_and(|part| part > 0.0),
+        ),
+    ];
+    for (key, _) in given.iter().filter(|(_, is_given)| *is_given) {
+        tables[key] = true.into();
+    }
+    if let Some(unlit) = of_unlit(resolved) {
+        tables["what printer.dead_pixels leaves dark"] = format!("{unlit:x}").into();
+    }
     Ok(tables)
 }

@@ -41,16 +41,29 @@ pub(crate) fn tables_of(spec: &JobSpec, without: &[&str]) -> Result<Value> {
 }
 
 /// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
-/// target's table.
+/// target's table, unless this has bodies that change the light.
 pub(crate) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     let mut tables = tables.clone();
-    if let Some(map) = tables.as_object_mut() {
+    let prints = |body: &Value| body["role"] == "print";
+    let bodies = tables["target"]["body"].as_array();
+    let changes_light = bodies.is_some_and(|bodies| !bodies.iter().all(prints));
+    if let Some(map) = tables.as_object_mut().filter(|_| !changes_light) {
         map.remove("target");
     }
     let mut parts = vec![hash(tables.to_string().as_bytes())];
     parts.extend(of_voxels(voxels));
     contents(&tables, base, &mut parts)?;
     Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// A hash of the pixels that the machines of the lights cannot light; None where they light all.
+pub(crate) fn of_unlit(resolved: &ResolvedJob) -> Option<u64> {
+    let lights = resolved.optics.lights.iter();
+    let masks = lights.flat_map(|light| &light.selection.masks);
+    let of_mask = |sum, open: &bool| hash_on(sum, &[u8::from(*open)]);
+    resolved
+        .has_dim_pixels()
+        .then(|| (masks.flat_map(|mask| mask.as_slice())).fold(FNV, of_mask))
 }
 
 /// Hashes of labels and of shares.
