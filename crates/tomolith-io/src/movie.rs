@@ -72,11 +72,12 @@ pub fn read_movie(path: &Path, shape: [usize; 3], channel: Option<Channel>) -> R
             Err(what) => what,
         }
     } else {
-        let found = OTHERS
-            .iter()
-            .find(|(_, marks)| marks.iter().all(|(at, bytes)| has(&file, *at, bytes)));
-        let (what, _) = found.ok_or_else(|| no_movie(path, &file))?;
-        (*what).to_owned()
+        let mut others = OTHERS.iter();
+        let found =
+            others.find(|(_, marks)| marks.iter().all(|(at, bytes)| has(&file, *at, bytes)));
+        let apng = is_apng(&file).then_some("an animated PNG (APNG)");
+        let what = found.map(|(what, _)| *what).or(apng);
+        what.ok_or_else(|| no_movie(path, &file))?.to_owned()
     };
     drop(file);
     ffmpeg::read(path, shape, channel).map_err(|trouble| match trouble {
@@ -109,6 +110,9 @@ fn read_built_in(
     }
     if count != frames && (track.is_in_order || count < frames) {
         return Err(damaged(path, format!("{count} frames instead of {frames}")));
+    }
+    if !track.is_upright {
+        return other("a movie that is turned, mirrored or scaled when it is shown");
     }
     match &track.codec {
         Codec::Png => lossless::read(&track, path, [rows, columns], channel).map(Ok),
@@ -183,7 +187,7 @@ fn named(letters: [u8; 4]) -> String {
 type Marks = &'static [(usize, &'static [u8])];
 
 /// Containers that only `ffmpeg` reads: what a file is that has all these bytes at these places.
-const OTHERS: [(&str, Marks); 14] = [
+const OTHERS: [(&str, Marks); 13] = [
     ("a Matroska or WebM file", &[(0, b"\x1a\x45\xdf\xa3")]),
     ("an AVI file", &[(0, b"RIFF"), (8, b"AVI ")]),
     ("a Flash video", &[(0, b"FLV\x01")]),
@@ -193,7 +197,6 @@ const OTHERS: [(&str, Marks); 14] = [
     ),
     ("an Ogg file", &[(0, b"OggS")]),
     ("a GIF file", &[(0, b"GIF8")]),
-    ("an animated PNG (APNG)", &[(0, b"\x89PNG"), (37, b"acTL")]),
     ("a YUV4MPEG2 file", &[(0, b"YUV4MPEG2")]),
     ("an MPEG program stream", &[(0, b"\0\0\x01\xba")]),
     ("an MPEG video stream", &[(0, b"\0\0\x01\xb3")]),
@@ -207,6 +210,14 @@ const OTHERS: [(&str, Marks); 14] = [
 /// Whether a file has these bytes at a place.
 fn has(file: &[u8], at: usize, bytes: &[u8]) -> bool {
     file.get(at..at + bytes.len()) == Some(bytes)
+}
+
+/// Whether a file is a PNG with a chunk `acTL` before its first picture.
+fn is_apng(file: &[u8]) -> bool {
+    let head = &file[..file.len().min(4096)];
+    let kind = |letters: &[u8]| head.windows(4).position(|bytes| bytes == letters);
+    has(file, 0, b"\x89PNG")
+        && kind(b"acTL").is_some_and(|at| kind(b"IDAT").is_none_or(|data| at < data))
 }
 
 /// Whether a file is MP4 or QuickTime by its first box.

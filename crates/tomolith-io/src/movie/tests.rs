@@ -62,6 +62,31 @@ fn movies_without_b_frames_are_read_with_their_limited_range() {
 }
 
 #[test]
+fn a_movie_that_is_shown_turned_is_read_turned() {
+    let mut file = std::fs::read(sample("high.mp4")).unwrap();
+    let header = file.windows(4).position(|kind| kind == b"tkhd").unwrap() + 4;
+    for at in [0, 16] {
+        file[header + 40 + at..][..4].copy_from_slice(&(-0x1_0000i32).to_be_bytes());
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("turned.mp4");
+    std::fs::write(&path, file).unwrap();
+    match read_movie(&path, SHAPE, None) {
+        Ok(mut read) => {
+            let [_, rows, columns] = SHAPE;
+            let pictures = read.values.chunks_mut(rows * columns);
+            pictures.for_each(<[_]>::reverse);
+            assert!(error(&read) <= 3, "{}", error(&read));
+        }
+        Err(found) => tomolith_core::contains!(
+            found.to_string(),
+            "turned, mirrored or scaled when it is shown",
+            "which the program ffmpeg can read"
+        ),
+    }
+}
+
+#[test]
 fn other_movies_are_read_by_ffmpeg_or_named() {
     for (name, what) in [
         ("b_frames.mp4", "H.264 High, with B-frames"),

@@ -21,6 +21,8 @@ pub(crate) struct Track<'a> {
     pub(crate) codec: Codec<'a>,
     /// Frames as they lie in the file, in the order of decoding.
     pub(crate) samples: Vec<&'a [u8]>,
+    /// Whether a player shows pictures as they are stored, neither turned nor mirrored.
+    pub(crate) is_upright: bool,
     /// Whether every frame can be decoded alone.
     pub(crate) every_frame_is_a_key: bool,
     /// Whether frames are shown in the order of decoding, all of them.
@@ -56,6 +58,14 @@ fn children(mut bytes: &[u8]) -> impl Iterator<Item = (&[u8], &[u8])> {
         bytes = &bytes[size..];
         Some((kind, content))
     })
+}
+
+/// Whether a player shows pictures as they are stored, by the header of their track.
+fn is_upright(header: &[u8]) -> Option<bool> {
+    const ONE: u64 = 1 << 16;
+    let at = if header.first()? == &1 { 52 } else { 40 };
+    let turned = [0, 1, 3, 4].map(|i| number::<4>(header, at + 4 * i));
+    Some(turned == [ONE, 0, 0, ONE].map(Some))
 }
 
 /// The content of the first box of a type among the boxes of `bytes`.
@@ -122,6 +132,7 @@ impl<'a> Track<'a> {
         })?;
         let keys = child(table, b"stss").map(|keys| word(keys, 4));
         Some(Track {
+            is_upright: is_upright(child(track, b"tkhd")?)?,
             every_frame_is_a_key: keys.is_none_or(|keys| keys == Some(samples.len())),
             is_in_order: is_in_order(table, track).unwrap_or(false),
             codec,
