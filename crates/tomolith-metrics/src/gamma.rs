@@ -4,7 +4,7 @@
 //! Γ = 100 % · length of {t in [0, 1]: IoU(t) > 0.95·max IoU}
 //! ```
 //!
-//! exact, from the breakpoints of IoU(t). None without part.
+//! exact, from the breakpoints of IoU(t). None without part, and where all such thresholds lie above 1.
 
 use super::print::Print;
 use super::{Better, Measure, MetricKind};
@@ -43,5 +43,7 @@ mod tests {
         };
         assert!(near(print(20), 25.0));
         assert!(near(print(21), 50.0)); // 20/21 is above 0.95, 21/23 is not
+        let brighter = measured(measure, &[VOID, PART], &[1.5, 3.0]);
+        assert_eq!(brighter, None);
     }
 }

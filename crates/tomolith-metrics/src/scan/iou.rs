@@ -204,20 +204,27 @@ impl Scan<'_> {
         longest
     }
 
-    /// Length of {t in [0, 1]: IoU(t) > 0.95·best}; `None` when there is no part.
+    /// Length of {t in [0, 1]: IoU(t) > 0.95·best}; `None` when there is no part, or all such t lie above 1.
     #[must_use]
     pub fn length_near_best(&self) -> Option<f64> {
         let best = &self.settled()?;
         let runs = self.runs(best, Fraction::is_near);
-        Some(runs.iter().map(within_unit).sum())
+        self.on_scale(&runs)
     }
 
-    /// Length of {t in [0, 1]: IoU(t) > 0.95·`iou`}, of the best IoU of another print, to within the buckets of the scan at its ends; `None` when there is no part.
+    /// Length of {t in [0, 1]: IoU(t) > 0.95·`iou`}, of the best IoU of another print, to within the buckets of the scan at its ends; `None` when there is no part, or all such t lie above 1.
     #[must_use]
     pub fn length_near(&self, iou: f64) -> Option<f64> {
         let best = &self.settled()?;
         let runs = self.runs(best, |piece, _| piece.value() > NEAR * iou);
-        Some(runs.iter().map(within_unit).sum())
+        self.on_scale(&runs)
+    }
+
+    /// The length of runs of thresholds on the dose scale 0…1; None where all of them and the best one lie above it.
+    fn on_scale(&self, runs: &[(f64, f64)]) -> Option<f64> {
+        let is_above = self.best_plateau().is_some_and(|best| best.from >= 1.0);
+        let length: f64 = runs.iter().map(within_unit).sum();
+        (length > 0.0 || !is_above).then_some(length)
     }
 
     /// The thresholds [from, to) round the best one over which IoU is at least its best − 0.01, with the best IoU; `None` as for
