@@ -41,6 +41,8 @@ const NAMES: Record<Axis, string> = { 2: "Top view, x–y", 1: "Front view, x–
 const LARGEST_ZOOM = 24;
 /** Parts whose height is below this share of their width have their side views above each other. */
 const FLAT = 0.62;
+/** Height over width of a plane at most; a part that is taller leaves room at its sides. */
+const TALLEST = 3;
 
 export class Planes {
   readonly element = h("div.planes");
@@ -155,7 +157,8 @@ class PlaneView {
     this.canvas.setAttribute("aria-valuemin", "0");
     this.canvas.setAttribute("aria-valuemax", String(last));
     const [right, up] = ACROSS[axis];
-    this.canvas.style.aspectRatio = `${extent(grid, right)} / ${extent(grid, up)}`;
+    const width = extent(grid, right);
+    this.canvas.style.aspectRatio = `${width} / ${Math.min(extent(grid, up), TALLEST * width)}`;
     this.element = h("figure.plane", {}, h("figcaption", {}, h("span", { title: `seen ${SEEN_FROM[axis]}` }, name), this.place), this.canvas, this.slider);
     this.listen();
     this.watcher.observe(this.canvas);
@@ -241,7 +244,7 @@ class PlaneView {
     const { grid } = this.planes.options;
     const { zoom, center } = this.planes;
     const [right, up] = ACROSS[this.shown.axis];
-    const perMm = (width / extent(grid, right)) * zoom;
+    const perMm = Math.min(width / extent(grid, right), height / extent(grid, up)) * zoom;
     return {
       perMm,
       x: (mm: number) => width / 2 + (mm - center[right]) * perMm,
