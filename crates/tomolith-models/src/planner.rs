@@ -173,9 +173,11 @@ fn built(
     };
     let form = form(input)?;
     let there = form.map(|form| accelerator.model(&form, input.work));
-    match there.transpose()?.flatten() {
-        Some(model) => Ok(model),
-        None => build(input),
+    let is_evaluated = matches!(input.scene.purpose, Purpose::Evaluate { .. });
+    match there.transpose() {
+        // Patterns that took long to find are evaluated anyway
+        Err(Error::Resources { .. }) if is_evaluated => build(input),
+        there => there?.flatten().map_or_else(|| build(input), Ok),
     }
 }
 
@@ -266,20 +268,32 @@ mod tests {
 
     impl Accelerator for TooSmall {
         fn model(&self, _: &Form, _: &Work) -> Result<Option<HostModel>> {
-            Ok(None)
+            Err(Error::Resources {
+                what: "entries on a card".to_owned(),
+                needed_mb: 2,
+                available_mb: Some(1),
+                advice: "fewer pixels".to_owned(),
+            })
         }
     }
 
     #[test]
-    fn what_a_card_does_not_take_is_said_to_be_on_the_processor() {
+    fn what_a_card_cannot_hold_of_an_evaluation_is_said_to_be_on_the_processor() {
         let level = [Optics::collimated(0.1)];
-        let plain = around(&level, None);
-        let beside_card = OpticalScene {
-            accelerator: Some(&TooSmall),
-            ..plain
+        let evaluated = OpticalScene {
+            purpose: Purpose::Evaluate { refine: 1 },
+            ..around(&level, None)
         };
-        let [without, with] = [plain, beside_card].map(|scene| planned(None, scene, light()));
-        assert_eq!(with, without + ON_PROCESSOR);
+        let beside_card = |scene| OpticalScene {
+            accelerator: Some(&TooSmall),
+            ..scene
+        };
+        let with = planned(None, beside_card(evaluated), light());
+        assert_eq!(with, planned(None, evaluated, light()) + ON_PROCESSOR);
+        let (grid, lights) = (VolumeGrid::centered([6, 8, 8], 0.1), [light()]);
+        let optimized = beside_card(around(&level, None)).lit_by(&lights);
+        let refused = plan(None, optimized, &grid, None, &Work::new());
+        assert!(matches!(refused, Err(Error::Resources { .. })));
     }
 
     #[test]

@@ -34,6 +34,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         cached_bytes: finest_cost.cached_bytes,
         finest: last.grid.clone(),
         fields: with_fields(spec, &resolved.species),
+        in_time: in_time(spec),
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
         // Dose and target, and a label, and a level of eighths
@@ -162,11 +163,12 @@ fn with_fields(spec: &JobSpec, species: &[Species]) -> usize {
     species.iter().map(of_one).sum::<usize>()
         + PER_SPECIES * (species.len() - 1)
         + FIELDS_PER_SCENARIO * spec.scenario.len()
-        + if spec.schedule.is_some() {
-            PER_PRINT
-        } else {
-            0
-        }
+        + in_time(spec)
+}
+
+/// Volumes of a print in time.
+fn in_time(spec: &JobSpec) -> usize {
+    spec.schedule.as_ref().map_or(0, |_| PER_PRINT)
 }
 
 /// Bytes of a canvas pixel in `frames.npz`, 0 when the job asks for none.

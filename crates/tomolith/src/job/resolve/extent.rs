@@ -23,8 +23,9 @@ const BYTES_PER_VOXEL_OF_FIELDS: f64 = 12.0;
 const BYTES_PER_VOXEL_THAT_GLOWS: f64 = 8.0;
 /// A level of a machine's canvas.
 const BYTES_PER_CANVAS_PIXEL: f64 = 2.0;
-/// What every run needs: the program, the report, one movie frame, …: 35 to 80 measured for the smallest jobs.
-const BASE_MB: f64 = 50.0;
+/// What every run needs: the program, the report, one movie frame, small arrays that the allocator has not given back, …: 60 to 110 measured for jobs
+/// of less than 10⁷ voxels.
+const BASE_MB: f64 = 100.0;
 /// Bytes of the print's triangles and of the tree that measures distances, per face of a cube of as many voxels as are
 /// evaluated: 500 to 3000 measured.
 const BYTES_PER_FACE: f64 = 1000.0;
@@ -70,6 +71,8 @@ pub(crate) struct Extent {
     pub(crate) memory: usize,
     /// Objectives whose weights or bands differ from voxel to voxel.
     pub(crate) fields: usize,
+    /// Volumes of the job's voxels that a print in time takes in the evaluation, 0 without one.
+    pub(crate) in_time: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
     pub(crate) canvas: usize,
     /// The traced rays that the model stores where they are few.
@@ -138,6 +141,7 @@ impl Extent {
             rows: rows_beside(optics, grid),
             memory,
             fields: 0,
+            in_time: 0,
             canvas: 0,
             cached_entries: None,
             cached_bytes: None,
@@ -249,8 +253,9 @@ impl Extent {
         // Scenarios are measured one after the other, beside the job's prints
         let prints = self.species + usize::from(self.scenarios > 0);
         let per_voxel = prints as f64 * BYTES_PER_FINE_VOXEL + self.glow();
+        let in_time = self.lanes(1) * self.in_time as f64 * BYTES_PER_VOXEL_OF_FIELDS;
         [
-            (self.lanes(self.refine) * per_voxel + self.faces() * BYTES_PER_FACE) / 1e6,
+            (self.lanes(self.refine) * per_voxel + self.faces() * BYTES_PER_FACE + in_time) / 1e6,
             (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
             self.working_mb[1],
         ]
@@ -343,6 +348,7 @@ pub(crate) mod tests {
             rows: None,
             memory: 10,
             fields: 0,
+            in_time: 0,
             canvas: 0,
             cached_entries: None,
             cached_bytes: None,
@@ -366,7 +372,7 @@ pub(crate) mod tests {
         let scratch = 600.0 * row_of(10) as f64 * 4.0;
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
-        assert_eq!(whole_mb([300.0, 4.5, 1.0]), 355);
+        assert_eq!(whole_mb([300.0, 4.5, 1.0]), 405);
         // Six rows of pixels: one vector, as ten slices need; of the three that forty need
         let along_rows = Extent {
             rows: Some(6),
