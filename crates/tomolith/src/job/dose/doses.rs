@@ -10,6 +10,7 @@ use crate::job::dose::species::planned;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::models::masked::MaskedModel;
+use crate::models::rays;
 use crate::models::scenarios::SharedModel;
 use crate::models::{DoseModel, Family, OpticalScene, Purpose, Work};
 use crate::optics::light::{Light, Selection};
@@ -155,6 +156,27 @@ pub(crate) fn standing_by(
     let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
     let mut doses = simulated(&model, patterns, work)?;
     Ok(doses.swap_remove(0))
+}
+
+/// Doses of all species by light that is not scattered, the vial standing still: less than all of it.
+pub(crate) fn unscattered(
+    job: &ResolvedJob,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    work: &Work,
+) -> Result<Vec<Volume<f32>>> {
+    let paths = job.optics.paths.iter();
+    let clear: Vec<_> = paths.map(rays::Optics::without_scattering).collect();
+    let lit = patterns.iter().map(lit_rows).collect();
+    let lights = lit_alone(job.optics.lights_standing(), lit);
+    let scene = OpticalScene {
+        optics: &clear,
+        lights: &lights,
+        accelerator: None,
+        ..job.optics.scene()
+    };
+    let plan = planned(job, None, scene, grid, None, &work.part(0.1))?;
+    simulated(&plan.model, patterns, work)
 }
 
 /// Lights of which only these rows are lit.

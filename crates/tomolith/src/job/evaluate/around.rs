@@ -3,13 +3,13 @@
 //! Light passes the resin between wall and part before it is weakened. Where that is deep, the wall solidifies first: a gear of 3 mm in a vial of 7.6 mm radius has an IoU of
 //! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
 //!
-//! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count.
-//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, scattered and coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
+//! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count. Of light that is scattered, what is not: less than all.
+//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
 
 use super::SpeciesPrint;
 use crate::error::Result;
 use crate::grid::{Patterns, VolumeGrid};
-use crate::job::dose::doses::{Doses, Exposed};
+use crate::job::dose::doses::{Doses, Exposed, unscattered};
 use crate::job::resolve::ResolvedJob;
 use crate::models::Work;
 use crate::optics::light::Light;
@@ -45,7 +45,6 @@ pub(super) fn of_resin(
     let optics = &job.optics;
     let is_stored = |family: &crate::models::Family| family.capabilities().is_stored;
     if job.schedule().is_some_and(|given| given.own_patterns)
-        || optics.scene().scatters()
         || optics.model.as_ref().is_some_and(is_stored)
     {
         return Ok(None);
@@ -61,13 +60,18 @@ pub(super) fn of_resin(
     if around.len() < LEAST {
         return Ok(None);
     }
-    let mut doses = Doses::new(job, optics);
-    doses.will_show(&[shown]);
-    let exposed = Exposed::new(&grid, optics.lights_standing());
-    let found = doses.of(&exposed, shown, &work.aside());
+    let found = if optics.scene().scatters() {
+        unscattered(job, &grid, shown, &work.aside())
+    } else {
+        let mut doses = Doses::new(job, optics);
+        doses.will_show(&[shown]);
+        let exposed = Exposed::new(&grid, optics.lights_standing());
+        let found = doses.of(&exposed, shown, &work.aside());
+        found.map(|(doses, _)| doses)
+    };
     work.check()?;
     // Voxels of this size may be too coarse for a model
-    let Ok((doses, _)) = found else {
+    let Ok(doses) = found else {
         return Ok(None);
     };
     let each = job.species.iter().zip(prints).zip(&doses);
