@@ -45,7 +45,10 @@ pub(crate) fn must_be_alone(command: &str) -> Result<()> {
         format!(
             "one of {count} processes of a launcher, which would all do the same and write the same files"
         ),
-        "one process: start it without a launcher; `run` and `sweep` share their work",
+        match cfg!(feature = "mpi") {
+            true => "one process: start it without a launcher; `run` and `sweep` share their work",
+            false => "one process: start it without a launcher",
+        },
     ))
 }
 

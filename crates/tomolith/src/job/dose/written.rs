@@ -288,7 +288,7 @@ fn frames_of(
         .or_else(|| white_beside(path))
         .unwrap_or_else(|| {
             notes.push(format!(
-                "{} does not say which pattern value white stands for: 1 is assumed. Doses and times scale with it: put its {EXPOSURE} beside it",
+                "{} does not say which pattern value white stands for: 1 is assumed. Doses and times scale with it: put the {EXPOSURE} that names it beside it",
                 path.display()
             ));
             1.0
