@@ -665,8 +665,14 @@ impl Measurements {
         };
         // Beside what finer voxels saw, a gain explains nothing
         let counts = !self.saw_finer || limit.loss > 0.0;
+        let of_others: f64 = [self.levels(), self.turning()]
+            .iter()
+            .flatten()
+            .map(|limit| limit.loss.max(0.0))
+            .sum();
         let lost = self.loss(Some(self.perfect()), self.turning);
-        let hidden = match limit.cause == Cause::Ends && Some(limit.loss) > lost {
+        let left = lost.map(|lost| lost - of_others);
+        let hidden = match limit.cause == Cause::Ends && Some(limit.loss) > left {
             true => ", which voxels of this size do not show",
             false => "",
         };
