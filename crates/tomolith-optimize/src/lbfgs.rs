@@ -61,7 +61,7 @@ const STRETCH: f32 = 1.5;
 const DESCENT: f64 = 1e-3;
 
 /// What it is called in a job.
-const NAME: &str = "lbfgs";
+pub const NAME: &str = "lbfgs";
 
 /// The row of the table.
 #[must_use]

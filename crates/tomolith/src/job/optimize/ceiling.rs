@@ -36,7 +36,7 @@ use crate::objective::Objective;
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::start::given::Given;
-use crate::optimize::{Checkpoints, Limits, Problem, Stop, StopReason};
+use crate::optimize::{Checkpoints, Limits, Problem, Stop, StopReason, lbfgs};
 use crate::report::{CeilingPoint, CeilingQuality, CeilingReport};
 use crate::target::label;
 use serde::{Deserialize, Serialize};
@@ -251,7 +251,7 @@ fn coarser_level(job: &ResolvedJob, voxels: &[Voxels]) -> Option<Level> {
     let names_largest = lights.any(|light| job.bounds_of(light).1.is_some());
     let files = method.start.files();
     let has_given = files.is_some_and(|files| files.bounds_as.is_none());
-    let has_scale = method.pairs().is_none()
+    let has_scale = method.name() != lbfgs::NAME
         || (goals.into_iter()).any(|goal| goal.seeks_window() || goal.has_fields());
     if !job.bounds().seek_ceiling()
         || names_largest

@@ -4,7 +4,7 @@ use crate::job::spec::document::Document;
 
 #[test]
 fn check_promises_a_ceiling_only_where_the_run_looks_for_one() {
-    let text = |model: &str| {
+    let text = |method: &str| {
         format!(
             r#"
             target = {{ phantom = "gyroid", size_mm = 0.05 }}
@@ -12,19 +12,22 @@ fn check_promises_a_ceiling_only_where_the_run_looks_for_one() {
             resin = {{ refractive_index = 1.5, pure_radon = true }}
             vial = {{ index_matched = {{ radius_mm = 0.045 }} }}
             light = [{{ pixels = [48, 32], angles = 24, projector = {{ collimated = {{ pixel_pitch_mm = 0.002 }} }} }}]
-            model = {{ {model} = {{}} }}
+            {method} = {{}}
             stop = {{ iterations = 3 }}
             "#
         )
     };
-    let searches = |model| {
-        let document = Document::toml("job.toml", text(model)).unwrap();
+    let searches = |method| {
+        let document = Document::toml("job.toml", text(method)).unwrap();
         let job = Job::from_document(document).unwrap();
         let plan = check(&job, &mut Silent, &Work::new()).unwrap();
         let mut notes = plan.notes.iter();
         notes.any(|note| note.contains("the lowest ceiling"))
     };
-    assert_eq!([searches("parallel"), searches("wave")], [true, false]);
+    assert!(searches("model.parallel"));
+    for without in ["model.wave", "optimizer.pm"] {
+        assert!(!searches(without), "{without}");
+    }
 }
 
 /// Cancels when a stage begins, and remembers what is told.
