@@ -81,42 +81,6 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
 }
 
 #[test]
-fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
-    for (pairs, parts) in [
-        (
-            &[[0.0, 0.1], [100.0, 2.0], [200.0, 5.0], [255.0, 4.5]][..],
-            [
-                "falls from 5 to 4.5 between gray 200 and 255",
-                "from gray 0.00 to 200.00",
-            ],
-        ),
-        (
-            &[[0.0, -0.2], [100.0, 2.0], [255.0, 4.5]],
-            [
-                "a negative irradiance, -0.2 at gray 0",
-                "from gray 100.00 to 255.00",
-            ],
-        ),
-        (
-            &[[0.0, 3.0], [255.0, 1.0]],
-            ["falls from 3 to 1", "no range of it is usable"],
-        ),
-        (
-            &[[0.0, 0.0], [230.0, 1.0]],
-            ["gray values from 0 to 230", "--top"],
-        ),
-    ] {
-        let Err(error) =
-            GrayCurve::new(&Curve::of_pairs(pairs).unwrap(), 255.0, CurveForm::Monotone)
-        else {
-            panic!("{pairs:?} was taken")
-        };
-        let message = error.to_string();
-        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
-    }
-}
-
-#[test]
 fn gray_values_of_both_forms_give_the_irradiance_of_the_example() {
     let table = measured("gray-uv.csv");
     // UV: 30 600 frames of 0.04 s; 11.3 mm × 20 mm, in the text 2.3 cm²

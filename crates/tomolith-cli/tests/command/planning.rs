@@ -66,7 +66,7 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         $ calibrate gray negative.csv
         a negative irradiance … from gray 128.00 to 255.00
         $ calibrate gray low.csv
-        falls from 3 to 2 between gray 10 and 30
+        falls from 3 to 2 between gray 10 and 30 … no range of it is usable
         $ calibrate gray below.csv
         gray values from -20 to 255
         $ calibrate gray one.csv
