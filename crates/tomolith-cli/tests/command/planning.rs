@@ -3,7 +3,6 @@
 use crate::bench::{Bench, JOB, contains};
 use serde_json::Value;
 use std::fs;
-use tomolith::report::number::significant;
 
 /// A data file of the examples.
 fn example(name: &str) -> String {
@@ -372,43 +371,27 @@ fn discs_are_drawn_and_their_result_is_read() {
     let fit = bench.json("calibrate dose diameter.csv");
     near(&fit["fit"]["critical_mj_per_cm2"], 12.0, 0.05);
     near(&fit["fit"]["length_mm"], 0.05, 0.001);
-    // All columns at once: depths are fitted, and compared with what cured. Disc 5 lies below 20 mJ/cm², disc 9 above
-    let all = |liquid: usize| {
-        fill(&|j, dose| {
-            let depth = 1.5 * (dose / 20.0).ln();
-            let cured = u8::from(j == 2 || j >= 4 && j != liquid);
-            format!(",{cured},{},1.2", depth.max(0.0))
-        })
-    };
-    bench.write("several.csv", &all(9));
-    let fit = bench.json("calibrate dose several.csv");
-    assert_eq!(fit["fit"]["from"], "depth_mm");
-    near(&fit["fit"]["critical_mj_per_cm2"], 20.0, 0.01);
-    let dose = |j: i32| significant(10.0 * 16f64.powf(f64::from(j) / 14.0), 4);
-    let expected = format!("that depth_mm gives, at {}, {} mJ/cm²", dose(2), dose(9));
-    assert!(fit["warnings"].to_string().contains(&expected), "{fit}");
-    let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
-    assert_eq!(fit["warnings"].as_array().unwrap().len(), 0, "{fit}");
-    // Doses and depths swapped: errors of 29 and 21 %
-    let swapped = fill(&|_, _| String::new());
-    let swap = |line: &str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let dose: f64 = cells[5].parse().ok()?;
-        let depth = 1.5 * (dose / 8.0).ln();
-        Some(format!("{},{depth},,{dose},", cells[..5].join(",")))
-    };
-    let rows: Vec<String> = swapped
-        .lines()
-        .map(|line| swap(line).unwrap_or_else(|| line.to_owned()))
-        .collect();
-    bench.write("swapped.csv", &rows.join("\n"));
-    let fit = bench.json("calibrate dose swapped.csv");
-    let expected = "of the penetration depth: look whether dose_mj_per_cm2 and depth_mm are swapped or in other units";
-    assert!(fit["warnings"].to_string().contains(expected), "{fit}");
+    // Depths against what cured, and doses and depths that are swapped
+    let head = "radius_mm,dose_mj_per_cm2,cured,depth_mm,diameter_mm";
+    for (rows, warning) in [
+        (
+            "0.6,15,1,,\n0.6,40,1,1.0397,\n0.6,80,0,2.0794,\n0.6,160,1,3.1192,\n",
+            "that depth_mm gives, at 15, 80 mJ/cm²",
+        ),
+        (
+            "0.6,0.3,,24.4,\n0.6,1,,39,\n0.6,2,,75.9,\n0.6,3,,147.8,\n0.6,4,,287.8,\n",
+            "of the penetration depth: look whether dose_mj_per_cm2 and depth_mm are swapped or in other units",
+        ),
+    ] {
+        bench.write("odd.csv", &format!("{head}\n{rows}"));
+        let fit = bench.json("calibrate dose odd.csv");
+        assert!(fit["warnings"].to_string().contains(warning), "{fit}");
+    }
     let unused = format!("calibrate dose {} --penetration-mm 5", example("discs.csv"));
     let unused = &bench.json(&unused)["warnings"];
     contains(&unused.to_string(), "", &["--penetration-mm 5 is not used"]);
     let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
+    assert_eq!(fit["warnings"].as_array().unwrap().len(), 0, "{fit}");
     near(&fit["fit"]["critical_mj_per_cm2"], 38.0, 2.0);
     near(&fit["fit"]["length_mm"], 2.4, 0.1);
 
