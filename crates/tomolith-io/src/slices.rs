@@ -411,6 +411,7 @@ mod tests {
         ndarray_npy::write_npy(&path, &mask)
             .map(|()| is_read())
             .unwrap();
+        assert_eq!(read_stack(&path).unwrap().note, None);
         let bytes = mask.mapv(|v| u8::from(v) * 255);
         ndarray_npy::write_npy(&path, &bytes)
             .map(|()| is_read())
