@@ -97,15 +97,7 @@ accepted: lbfgs, gradient, fista
 + sparsity = { exponent = 2 }
 penalties[0] … optimizer.osmo with penalties
 
-# Bits
-+ [evaluate]
-+ bit_depth = 0
-evaluate.bit_depth … found 0 … 1 to 16
-
-+ [bounds]
-+ bits = 0
-bounds.bits … found 0 … 1 to 16
-
+# What is missing or has no meaning here
 + [evaluate]
 + require_in_band = 0.9
 evaluate.require_in_band … part and void … require_iou
@@ -290,10 +282,6 @@ objective.threshold.surface … [model.parallel] … whole voxels
 objectives[1].l2 … another objective has cells
 
 # What scatters, and what is beyond parallel light
-  absorption_per_mm = 0.05
-+ scattering_per_mm = -1.0
-resin.scattering_per_mm … 1/mm
-
   absorption_per_mm = 0.05
 + attenuation_per_mm = 0.1
 + scattering_per_mm = 0.2

@@ -15,28 +15,13 @@ resn … did you mean `resin`?
 + [vial.cilinder]
 vial.cilinder … did you mean `cylinder`? … index_matched
 
-- [objective.threshold]
-+ [objective.treshold]
-objective.treshold … did you mean `threshold`?
-
-- lower = 0.85
-+ lwer = 0.85
-objective.threshold.lwer … did you mean `lower`?
-
 - phantom = "gear"
 + phantom = "gaer"
 target.phantom … did you mean `gear`?
 
-+ [optimizer.lbfg]
-optimizer.lbfg … did you mean `lbfgs`?
-
 - projector.collimated = { pixel_pitch_mm = 0.1 }
 + projector.colimated = { pixel_pitch_mm = 0.1 }
 light[0].projector.colimated … did you mean `collimated`?
-
-+ [multiresolution]
-+ levles = 3
-multiresolution.levles … did you mean `levels`?
 
 - angles = 30
 + angles = { cuont = 30 }
@@ -59,14 +44,6 @@ stop.iterations … a whole number, 0 or more
 + surrounding_index = "air"
 vial.surrounding_index: found "air" … a number
 
-- iterations = 2
-+ iterations = "two"
-stop.iterations … a whole number, 0 or more
-
-- iterations = 2
-+ iterations = 2.5
-stop.iterations … a whole number, 0 or more
-
 - pitch_mm = 0.1
 + pitch_mm = "0.1 kg"
 grid.pitch_mm … unknown unit of length `kg` … nm, um, mm
@@ -85,20 +62,8 @@ light[0].pixels … a list of 2
 resin.absorption_per_mm … a finite number
 
 - absorption_per_mm = 0.05
-+ absorption_per_mm = -0.05
-resin.absorption_per_mm … found -0.05 … 1e-9 to 100 per mm
-
-- absorption_per_mm = 0.05
 + absorption_per_mm = 0
 resin.absorption_per_mm … found 0 … 1e-9 to 100 per mm … pure_radon
-
-- absorption_per_mm = 0.05
-+ absorption_per_mm = 1e-30
-resin.absorption_per_mm … found 1e-30 … 1e-9 to 100 per mm
-
-- refractive_index = 1.5
-+ refractive_index = 0.5
-resin.refractive_index … found 0.5
 
   outer_radius_mm = 3.5
 - refractive_index = 1.5
@@ -113,21 +78,9 @@ target.offset_mm … passes the axis … middle lies nearer
 + memory_gb = 0.001
 grid.pitch_mm … MB needed, 1 MB available
 
-- pitch_mm = 0.1
-+ pitch_mm = 0
-grid.pitch_mm … found 0
-
 - size_mm = 2.0
 + size_mm = -2.0
 target.size_mm … -2
-
-- angles = 30
-+ angles = 0
-light[0].angles … found 0
-
-- angles = 30
-+ angles = { list_deg = [] }
-light[0].angles.list_deg … an empty list … azimuths
 
 - inner_radius_mm = 3.0
 + inner_radius_mm = 3.5
@@ -214,18 +167,6 @@ objective.weight … 0 to 1e9
 + [response.logistic]
 + steepness = 1e30
 response.logistic.steepness … at most 1e6
-
-+ [bounds]
-+ min = 1e30
-bounds.min … 0 to 1e9
-
-+ [bounds]
-+ max = -1
-bounds.max … above 0, at most 1e9
-
-+ [bounds]
-+ max = 1e30
-bounds.max … above 0, at most 1e9
 
 + [checkpoint]
 + every_s = "often"

@@ -409,7 +409,7 @@ mod tests {
         // Never, as where they are left out
         let never = ["stop.change=0", "stop.gap=0", "stop.projected_gradient=0"];
         check(&never).unwrap();
-        // With the key that is blamed where it is another one than that which is set
+        // With the key that is blamed where it is another one than that which is set, and with what else is said
         let slips = r#"
             grid.pitch_mm=0
             grid.pitch_mm="-1 mm"
@@ -417,10 +417,11 @@ mod tests {
             resin.refractive_index=0.9
             resin.absorption_per_mm=0
             resin.absorption_per_mm=1e300
+            resin.absorption_per_mm=1e-30 → resin.absorption_per_mm → 1e-9 to 100 per mm
             resin.absorption_per_mm=-0.1
             resin.attenuation_per_mm=0.01
             resin.dose_convention="watts"
-            resin.scattering_per_mm=-0.1
+            resin.scattering_per_mm=-0.1 → resin.scattering_per_mm → 1/mm
             resin.critical_dose_mj_per_mm3=0
             vial.surrounding_index=0
             bath={ absorption_per_mm = -0.1, radius_mm = 20 } → bath.absorption_per_mm
@@ -433,19 +434,21 @@ mod tests {
             light.angles=0 → light[0].angles
             light.angles.arc_deg=0 → light[0].angles.arc_deg
             light.angles.arc_deg=720 → light[0].angles.arc_deg
-            light.angles={ list_deg = [] } → light[0].angles.list_deg
+            light.angles={ list_deg = [] } → light[0].angles.list_deg → an empty list
             light.sub_angles=0 → light[0].sub_angles
             bounds.min=-1
-            bounds.min=1e30
+            bounds.min=1e30 → bounds.min → 0 to 1e9
             light[0].bounds.max=0
             light[0].bounds.min=9
-            bounds.max=1e30
+            bounds.max=1e30 → bounds.max → above 0, at most 1e9
             bounds.min=5 → bounds.max
             bounds={ min = 0.01, max = 0.01 } → bounds.max
             light[0].bounds={ min = 3.0 } → light[0].bounds.min
-            bounds.bits=0
+            bounds.bits=0 → bounds.bits → 1 to 16
             multiresolution.levels=9
             bounds.bits=17
+            stop.iterations="two" → stop.iterations → a whole number, 0 or more
+            stop.iterations=2.5 → stop.iterations → a whole number, 0 or more
             stop.change=-1
             stop.change_after=9
             stop.gap=1e-9
@@ -454,7 +457,7 @@ mod tests {
             stop.wall_s=0
             stop.projected_gradient=-1
             checkpoint.every_s=0
-            evaluate.bit_depth=17
+            evaluate.bit_depth=17 → evaluate.bit_depth → 1 to 16
             evaluate.refine=0
             grid.refine=0
             grid.refine=33
@@ -476,12 +479,13 @@ mod tests {
             objectives=[{ l2 = {} }]
         "#;
         for slip in slips.trim().lines().map(str::trim) {
-            let set = || slip.split('=').next().map(|key| (slip, key));
-            let (change, key) = slip.split_once(" → ").or_else(set).unwrap();
-            match check(&[change]) {
-                Err(Error::Config { key: found, .. }) => assert_eq!(found, key, "{change}"),
-                other => panic!("{change}: {other:?}"),
-            }
+            let mut parts = slip.split(" → ");
+            let change = parts.next().unwrap();
+            let key = parts.next().or(change.split('=').next()).unwrap();
+            let error = check(&[change]).expect_err(change);
+            let blames = matches!(&error, Error::Config { key: found, .. } if found == key);
+            assert!(blames, "{change}: {error:?}");
+            tomolith_core::contains!(error.to_string(), parts.next().unwrap_or_default());
         }
     }
 }
