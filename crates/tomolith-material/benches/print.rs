@@ -8,7 +8,6 @@ use std::time::Instant;
 use tomolith_core::field::Field;
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::target::label;
-use tomolith_material::Material;
 use tomolith_material::curves::Curves;
 use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;

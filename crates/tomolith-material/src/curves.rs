@@ -3,8 +3,9 @@
 //! Definitions are in `docs/material.md`; source: Wang et al. 2022, supplement, Note 4. All sums run over the voxels that count, in a fixed order.
 //! A [`Curves`] looks at one network; lights with several have one each.
 
+use crate::Readout;
+use crate::photopolymer::Photopolymer;
 use crate::print::Moment;
-use crate::{Material, Readout};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::grid::Volume;
@@ -89,7 +90,7 @@ impl Curves {
     ///
     /// # Errors
     /// [`Error::Shape`] for labels of another grid; [`Error::Config`] at `target` when no voxel is part.
-    pub fn new(material: &dyn Material, species: usize, labels: &Volume<u8>) -> Result<Self> {
+    pub fn new(material: &Photopolymer, species: usize, labels: &Volume<u8>) -> Result<Self> {
         let layout = material.domain().layout();
         if labels.grid.shape != layout.grid.shape {
             return Err(Error::shape(
@@ -134,7 +135,7 @@ impl Curves {
 
     /// Keeps when each voxel gels: two more volumes.
     #[must_use]
-    pub fn with_cure_times(mut self, material: &dyn Material) -> Self {
+    pub fn with_cure_times(mut self, material: &Photopolymer) -> Self {
         let mut never = material.domain().zeros();
         never.fill(f32::INFINITY);
         self.cure = Some(CureTimes {
@@ -275,7 +276,7 @@ impl Curves {
 
     /// When each voxel gelled, s (file order); ∞ where it did not. None where the caller does not want it.
     #[must_use]
-    pub fn cure_times(&self, material: &dyn Material) -> Option<Volume<f32>> {
+    pub fn cure_times(&self, material: &Photopolymer) -> Option<Volume<f32>> {
         let cure = self.cure.as_ref()?;
         Some(
             material

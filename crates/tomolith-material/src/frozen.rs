@@ -10,15 +10,16 @@
 //!
 //! **Source** the quasi-linear tier of `docs/material.md`.
 //!
-//! **Limits** A threshold of the dose ([`Material::requirement`]); light stays as the models have it, unshaded.
+//! **Limits** A threshold of the dose ([`Photopolymer::requirement`]); light stays as the models have it, unshaded.
 //!
 //! **Cost** that of the light, and one print in time per round. Memory: a volume per network.
 
 use crate::illumination::factor;
 use crate::lights::Lights;
+use crate::photopolymer::Photopolymer;
 use crate::print::{LightSource, PrintRun};
 use crate::schedule::Schedule;
-use crate::{Material, Model, State};
+use crate::{Model, State};
 use std::ops::{ControlFlow, Range};
 use std::sync::{Arc, PoisonError, RwLock};
 use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work, elements_of};
@@ -29,7 +30,7 @@ use tomolith_core::parallel::InParallel;
 /// See the [module page](self).
 pub struct Frozen {
     lights: Lights,
-    material: Box<dyn Material>,
+    material: Photopolymer,
     step_s: Option<f64>,
     /// 1/E_d per network, mm³/mJ.
     per_dose: Vec<f32>,
@@ -46,7 +47,7 @@ impl Frozen {
     pub fn new(
         optics: Vec<Box<Model>>,
         schedule: Schedule,
-        material: Box<dyn Material>,
+        material: Photopolymer,
         step_s: Option<f64>,
         every: usize,
     ) -> Result<Self> {
@@ -61,7 +62,7 @@ impl Frozen {
             };
             per_dose.push((1.0 / needed.dose) as f32);
         }
-        let lights = Lights::new(optics, schedule, material.as_ref())?;
+        let lights = Lights::new(optics, schedule, &material)?;
         let frozen = Frozen {
             taken: RwLock::new(lights.facts().host_field(Space::Dose)),
             lights,
@@ -87,7 +88,7 @@ impl Frozen {
         let sources = models.zip(&patterns);
         let sources = sources.map(|(model, patterns)| LightSource { model, patterns });
         let schedule = &self.lights.schedule;
-        let mut print = PrintRun::new(self.material.as_ref(), schedule, sources.collect())?;
+        let mut print = PrintRun::new(&self.material, schedule, sources.collect())?;
         if let Some(step_s) = self.step_s {
             print = print.with_step_s(step_s)?;
         }
@@ -355,7 +356,7 @@ mod tests {
     fn frozen_of(material: Photopolymer) -> Frozen {
         let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
         let optics: Vec<Box<Model>> = vec![Box::new(optics())];
-        Frozen::new(optics, schedule, Box::new(material), None, 5).unwrap()
+        Frozen::new(optics, schedule, material, None, 5).unwrap()
     }
 
     fn patterns(model: &Frozen) -> HostField {
@@ -374,7 +375,7 @@ mod tests {
     fn both_of(model: &Frozen, x: &HostField, material: Photopolymer) -> (Vec<f32>, Vec<f32>) {
         let schedule = model.lights.schedule.clone();
         let optics = vec![Box::new(optics()) as Box<Model>];
-        let printing = Printing::new(optics, schedule, Box::new(material), None);
+        let printing = Printing::new(optics, schedule, material, None);
         let work = Work::new();
         let mut degree = model.new_dose().unwrap();
         printing.unwrap().dose(x, &mut degree, &work).unwrap();
@@ -394,7 +395,7 @@ mod tests {
         };
         let schedule = Schedule::of_turns(&[first, Turns::new(12, 4.0, 2.0)]).unwrap();
         let optics: Vec<Box<Model>> = vec![Box::new(optics()), Box::new(optics())];
-        Frozen::new(optics, schedule, Box::new(material), None, 5).unwrap()
+        Frozen::new(optics, schedule, material, None, 5).unwrap()
     }
 
     #[test]

@@ -8,8 +8,8 @@
 //!
 //! **Cost** one pass over the voxels per moment; one volume.
 
-use crate::Material;
 use crate::curves::{IdealExposure, add_drive};
+use crate::photopolymer::Photopolymer;
 use crate::print::Moment;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -41,7 +41,7 @@ impl Heights {
     ///
     /// # Panics
     /// When labels are of another shape than the material's voxels.
-    pub fn new(material: &dyn Material, species: usize, labels: &Volume<u8>) -> Result<Self> {
+    pub fn new(material: &Photopolymer, species: usize, labels: &Volume<u8>) -> Result<Self> {
         let Some(needed) = material.requirement(species) else {
             return Err(Error::unsupported(
                 "what each height needs",

@@ -1,8 +1,9 @@
 //! The lights of a print, as one dose model sees them: their patterns one after another, a dose per network.
 
+use crate::Model;
+use crate::photopolymer::Photopolymer;
 use crate::print::must_fit;
 use crate::schedule::Schedule;
-use crate::{Material, Model};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{DoseLayout, Facts, PatternLayout, ZCoupling, frames_of};
@@ -23,7 +24,7 @@ impl Lights {
     pub(crate) fn new(
         optics: Vec<Box<Model>>,
         schedule: Schedule,
-        material: &dyn Material,
+        material: &Photopolymer,
     ) -> Result<Self> {
         let models: Vec<&Model> = optics.iter().map(AsRef::as_ref).collect();
         must_fit(material, &schedule, &models)?;

@@ -22,7 +22,7 @@ use crate::domain::Domain;
 use crate::mixing::Mixing;
 use crate::print::exceeded_limit_s;
 use crate::reaction::{Stage, smooth_step};
-use crate::{Absorption, Material, Readout, Requirement, State};
+use crate::{Absorption, Readout, Requirement, State};
 pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading, at_height};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -485,16 +485,25 @@ fn chain_of(network: &Network, slots: &mut Vec<Slot>) -> Chain {
     }
 }
 
-impl Material for Photopolymer {
-    fn drives(&self) -> &Mixing {
+/// What the print asks of it.
+///
+/// Energies that a block of frames leaves are slices in the order of the domain's layout, mJ/mm³, one per light; an empty slice is a light that is dark.
+impl Photopolymer {
+    /// Which light drives which network, and how strongly.
+    #[must_use]
+    pub fn drives(&self) -> &Mixing {
         &self.mixing
     }
 
-    fn domain(&self) -> &Domain {
+    /// The voxels.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
         &self.domain
     }
 
-    fn species(&self) -> Vec<String> {
+    /// Names of the networks, one per row of [`drives`](Self::drives).
+    #[must_use]
+    pub fn species(&self) -> Vec<String> {
         self.params
             .networks
             .iter()
@@ -502,11 +511,17 @@ impl Material for Photopolymer {
             .collect()
     }
 
-    fn volumes(&self) -> Vec<String> {
+    /// Names of the volumes of a state.
+    #[must_use]
+    pub fn volumes(&self) -> Vec<String> {
         self.slots.iter().map(|slot| slot.name.clone()).collect()
     }
 
-    fn start(&self) -> Result<State> {
+    /// The state before the first frame.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    pub fn start(&self) -> Result<State> {
         let mut volumes = Vec::with_capacity(self.slots.len());
         for (network, chain) in self.params.networks.iter().zip(&self.chains) {
             if chain.initiator.is_some() {
@@ -523,7 +538,11 @@ impl Material for Photopolymer {
         })
     }
 
-    fn step(&self, state: &mut State, absorbed: &[&[f32]], seconds: f64) -> Result<()> {
+    /// What a block of time makes of the state, in which lights leave these energies, evenly over `seconds`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] at `step_s` for a step above [`longest_step_s`](Self::longest_step_s).
+    pub fn step(&self, state: &mut State, absorbed: &[&[f32]], seconds: f64) -> Result<()> {
         match &self.spectral {
             Some(spectral) => {
                 self.spread(&mut state.volumes, spectral, seconds / 2.0);
@@ -540,7 +559,12 @@ impl Material for Photopolymer {
         Ok(())
     }
 
-    fn pullback_step(
+    /// The transpose of the step's derivative, at the state before the step: the cotangent goes from after the step to before it, and `grad` of
+    /// each light that is not dark is overwritten.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn pullback_step(
         &self,
         before: &State,
         absorbed: &[&[f32]],
@@ -567,7 +591,9 @@ impl Material for Photopolymer {
         Ok(())
     }
 
-    fn readout(&self, species: usize) -> Readout {
+    /// What is looked at, per network.
+    #[must_use]
+    pub fn readout(&self, species: usize) -> Readout {
         let chain = &self.chains[species];
         Readout {
             volume: chain.cure,
@@ -576,7 +602,9 @@ impl Material for Photopolymer {
         }
     }
 
-    fn longest_step_s(&self) -> f64 {
+    /// The longest step that is stable, s.
+    #[must_use]
+    pub fn longest_step_s(&self) -> f64 {
         if self.params.diffusion == Scheme::Spectral {
             return f64::INFINITY;
         }
@@ -586,7 +614,9 @@ impl Material for Photopolymer {
         moving.map(limit).fold(f64::INFINITY, f64::min)
     }
 
-    fn requirement(&self, species: usize) -> Option<Requirement> {
+    /// The dose that gels; None where it depends on the power.
+    #[must_use]
+    pub fn requirement(&self, species: usize) -> Option<Requirement> {
         let network = &self.params.networks[species];
         let dose = match network.curing {
             Curing::Threshold {
@@ -610,7 +640,9 @@ impl Material for Photopolymer {
         })
     }
 
-    fn absorption(&self, state: &State, light: usize) -> Option<Absorption> {
+    /// How a light is absorbed now; None where that never changes.
+    #[must_use]
+    pub fn absorption(&self, state: &State, light: usize) -> Option<Absorption> {
         let shading = self.params.shading.iter().find(|s| s.light == light)?;
         let chain = &self.chains[shading.network];
         let argument = self.argument(shading.network);
@@ -638,7 +670,8 @@ impl Material for Photopolymer {
         })
     }
 
-    fn light_was_renewed(&self, state: &mut State, light: usize) {
+    /// The dose model of a light was made anew from [`absorption`](Self::absorption).
+    pub fn light_was_renewed(&self, state: &mut State, light: usize) {
         let shading = self.params.shading.iter().find(|s| s.light == light);
         let chain = shading.map(|s| &self.chains[s.network]);
         if let Some([now, lit]) = chain.and_then(|chain| chain.initiator) {

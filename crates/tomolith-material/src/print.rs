@@ -10,8 +10,9 @@
 //! the state, one spare volume.
 
 use crate::illumination::{Illumination, must_show};
+use crate::photopolymer::Photopolymer;
 use crate::schedule::{Block, Schedule};
-use crate::{Absorption, Material, Model, State};
+use crate::{Absorption, Model, State};
 use std::ops::ControlFlow;
 use tomolith_core::dose::{Work, frames_of};
 use tomolith_core::error::{Error, Result};
@@ -52,7 +53,7 @@ pub struct Moment<'m> {
     /// How long the block took that ends now, s; 0 at the start.
     pub block_s: f64,
     /// The material.
-    pub material: &'m dyn Material,
+    pub material: &'m Photopolymer,
     /// Its state now.
     pub state: &'m State,
     /// Energy that each light left in the block that ends now, mJ/mm³; empty in the dark.
@@ -61,7 +62,7 @@ pub struct Moment<'m> {
 
 /// See the [module page](self).
 pub struct PrintRun<'a> {
-    material: &'a dyn Material,
+    material: &'a Photopolymer,
     lights: Vec<LightSource<'a>>,
     renewed: Vec<Option<Box<Model>>>,
     schedule: &'a Schedule,
@@ -75,7 +76,7 @@ impl<'a> PrintRun<'a> {
     /// # Errors
     /// [`Error::Config`] where schedule, mixing matrix and lights do not fit; [`Error::Shape`] where voxels or patterns do not.
     pub fn new(
-        material: &'a dyn Material,
+        material: &'a Photopolymer,
         schedule: &'a Schedule,
         lights: Vec<LightSource<'a>>,
     ) -> Result<Self> {
@@ -212,14 +213,14 @@ impl<'a> PrintRun<'a> {
 
 /// The step of a print that names none: a hundredth of it, at most a second, at most what is stable, s.
 #[must_use]
-pub fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f64 {
+pub fn default_step_s(material: &Photopolymer, schedule: &Schedule) -> f64 {
     let plain = LONGEST_S.min(schedule.end_s() / FEWEST_STEPS);
     plain.min(material.longest_step_s())
 }
 
 /// The longest stable step where a step is longer, s: with five digits, none of them rounded up, so that the number in the message is accepted.
 #[must_use]
-pub fn exceeded_limit_s(material: &dyn Material, step_s: f64) -> Option<f64> {
+pub fn exceeded_limit_s(material: &Photopolymer, step_s: f64) -> Option<f64> {
     let limit = material.longest_step_s();
     if step_s <= limit {
         return None;
@@ -230,7 +231,7 @@ pub fn exceeded_limit_s(material: &dyn Material, step_s: f64) -> Option<f64> {
     Some(text.parse().unwrap_or(limit))
 }
 
-pub(crate) fn check_step(material: &dyn Material, step_s: f64) -> Result<()> {
+pub(crate) fn check_step(material: &Photopolymer, step_s: f64) -> Result<()> {
     if step_s > 0.0 && exceeded_limit_s(material, step_s).is_none() {
         return Ok(());
     }
@@ -248,7 +249,7 @@ pub(crate) fn check_step(material: &dyn Material, step_s: f64) -> Result<()> {
 
 /// Refuses lights that do not fit to material and schedule.
 pub(crate) fn must_fit(
-    material: &dyn Material,
+    material: &Photopolymer,
     schedule: &Schedule,
     models: &[&Model],
 ) -> Result<()> {

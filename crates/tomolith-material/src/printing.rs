@@ -11,9 +11,10 @@
 
 use crate::illumination::Illumination;
 use crate::lights::Lights;
+use crate::photopolymer::Photopolymer;
 use crate::print::{check_step, default_step_s};
 use crate::schedule::{Block, Schedule};
-use crate::{Material, Model, State};
+use crate::{Model, State};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work, elements_of};
@@ -24,7 +25,7 @@ use tomolith_core::units::concise;
 /// See the [module page](self).
 pub struct Printing {
     lights: Lights,
-    material: Box<dyn Material>,
+    material: Photopolymer,
     blocks: Vec<Block>,
 }
 
@@ -36,13 +37,13 @@ impl Printing {
     pub fn new(
         optics: Vec<Box<Model>>,
         schedule: Schedule,
-        material: Box<dyn Material>,
+        material: Photopolymer,
         step_s: Option<f64>,
     ) -> Result<Self> {
-        let lights = Lights::new(optics, schedule, material.as_ref())?;
+        let lights = Lights::new(optics, schedule, &material)?;
         let schedule = &lights.schedule;
-        let step_s = step_s.unwrap_or_else(|| default_step_s(material.as_ref(), schedule));
-        check_step(material.as_ref(), step_s)?;
+        let step_s = step_s.unwrap_or_else(|| default_step_s(&material, schedule));
+        check_step(&material, step_s)?;
         Ok(Printing {
             blocks: schedule.blocks(step_s)?,
             lights,

@@ -4,7 +4,7 @@ use crate::fixtures::{apart, domain_of, even, photopolymer, wandering};
 use crate::mixing::Mixing;
 use crate::photopolymer::{Params, Photopolymer};
 use crate::schedule::Turns;
-use crate::{Material, diffusion::Scheme, print};
+use crate::{diffusion::Scheme, print};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use tomolith_core::check;

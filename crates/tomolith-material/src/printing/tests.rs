@@ -71,7 +71,7 @@ fn in_time(lights: usize) -> Printing {
     let optics = (0..lights)
         .map(|_| Box::new(small()) as Box<Model>)
         .collect();
-    Printing::new(optics, schedule, Box::new(material), Some(0.6)).unwrap()
+    Printing::new(optics, schedule, material, Some(0.6)).unwrap()
 }
 
 #[test]
@@ -184,7 +184,7 @@ fn the_way_back_asks_for_the_frames_that_shine_and_no_others() {
     let material = photopolymer(network(vec![oxygen(1.0, 0.0)], 0.4), domain_of(&small()));
     let optics: Vec<Box<Model>> = vec![Box::new(Counting(small(), Arc::clone(&counted)))];
     let schedule = Schedule::of_turns(&[Turns::new(12, 6.0, 1.0)]).unwrap();
-    let printing = Printing::new(optics, schedule, Box::new(material), Some(0.5)).unwrap();
+    let printing = Printing::new(optics, schedule, material, Some(0.5)).unwrap();
     let x = positive(printing.new_patterns().unwrap().len(), 1);
     let c = positive(printing.new_dose().unwrap().len(), 2);
     let (mut grad, work) = (x.zeros_like(), Work::new());
@@ -233,8 +233,7 @@ fn lights_that_do_not_fit_are_named() {
     let schedule = Schedule::of_turns(&[Turns::new(11, 1.0, 1.0)]).unwrap();
     let material = photopolymer(network(Vec::new(), 0.5), domain_of(&small()));
     let optics: Vec<Box<Model>> = vec![Box::new(small())];
-    let Err(Error::Config { key, found, .. }) =
-        Printing::new(optics, schedule, Box::new(material), None)
+    let Err(Error::Config { key, found, .. }) = Printing::new(optics, schedule, material, None)
     else {
         panic!("it was accepted")
     };

@@ -216,7 +216,7 @@ fn a_dose_that_diffuses_is_what_a_material_without_oxygen_prints() {
         Params::new(vec![threshold]).diffusing_by(tomolith_material::diffusion::Scheme::Spectral);
     let material = Photopolymer::new(params, Mixing::identity(1), Domain::new(grid())).unwrap();
     let optics: Vec<Box<Model>> = vec![Box::new(parallel(FRAMES, None))];
-    let printing = Printing::new(optics, schedule(false), Box::new(material), Some(0.4)).unwrap();
+    let printing = Printing::new(optics, schedule(false), material, Some(0.4)).unwrap();
     let x = patterns(&printing);
     let printed = dose(&printing, &x);
     let mut half = x.clone();
@@ -249,7 +249,7 @@ fn exact(own_patterns: bool) -> Printing {
     let frames = if own_patterns { 2 * FRAMES } else { FRAMES };
     let optics: Vec<Box<Model>> = vec![Box::new(parallel(frames, None))];
     let schedule = schedule(own_patterns);
-    Printing::new(optics, schedule, Box::new(material), Some(2.0)).unwrap()
+    Printing::new(optics, schedule, material, Some(2.0)).unwrap()
 }
 
 /// ½ Σ (degree of cure − wanted)² and its gradient; wanted: a fine comb that oxygen blurs.

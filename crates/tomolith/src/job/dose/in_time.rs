@@ -11,6 +11,7 @@ use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels, at_section};
 use crate::models::{Family, HostModel, OpticalScene, Work, planner};
 use std::ops::ControlFlow;
+use tomolith_material::Absorption;
 use tomolith_material::diffused::Diffused;
 use tomolith_material::domain::Domain;
 use tomolith_material::frozen::Frozen;
@@ -18,7 +19,6 @@ use tomolith_material::photopolymer::Photopolymer;
 use tomolith_material::print::{LightSource, Moment, PrintRun};
 use tomolith_material::printing::Printing;
 use tomolith_material::schedule::Schedule;
-use tomolith_material::{Absorption, Material};
 
 /// Whether the doses of a job diffuse.
 pub(crate) fn diffuses(job: &ResolvedJob) -> bool {
@@ -58,7 +58,7 @@ pub(crate) fn planned_in_time(
     let join = |models: Vec<HostModel>| -> Result<HostModel> {
         let schedule = job.exposures()?;
         let domain = domain(job, &level.grid)?;
-        let (material, step_s) = (Box::new(job.photopolymer(domain)?), given.step_s);
+        let (material, step_s) = (job.photopolymer(domain)?, given.step_s);
         if given.is_exact() {
             return Ok(Box::new(Printing::new(models, schedule, material, step_s)?));
         }

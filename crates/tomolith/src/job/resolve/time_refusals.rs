@@ -8,7 +8,6 @@ use crate::grid::VolumeGrid;
 use crate::job::spec::species::Row;
 use crate::job::spec::{Against, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
 use crate::units::exact;
-use tomolith_material::Material;
 use tomolith_material::domain::Domain;
 use tomolith_material::photopolymer::{Inhibitor, Network, Photopolymer};
 use tomolith_material::print::{default_step_s, exceeded_limit_s};
@@ -94,7 +93,7 @@ fn must_have_thresholds(material: &Photopolymer, given: &ScheduleSpec) -> Result
     } else {
         return Ok(());
     };
-    let names = Material::species(material);
+    let names = material.species();
     let mut names = names.iter().enumerate();
     match names.find(|(s, _)| material.requirement(*s).is_none()) {
         Some((_, name)) => Err(Error::config(

@@ -21,7 +21,6 @@ use crate::report::number::significant;
 use crate::report::{OneMoment, TimeReport};
 use serde::Serialize;
 use std::path::Path;
-use tomolith_material::Material;
 use watch::Watched;
 
 /// What a network becomes over time.
@@ -184,7 +183,7 @@ pub(crate) fn print_in_time(
         watched.push(Watched::new(material, s, voxels, &times)?);
     }
     shown.print(&mut |moment| watched.iter_mut().for_each(|watched| watched.look(moment)))?;
-    let names = Material::species(material);
+    let names = material.species();
     let mut networks = Vec::with_capacity(names.len());
     for ((watched, name), voxels) in watched.into_iter().zip(names).zip(voxels) {
         let seconds: Vec<f64> = (watched.curves.points().iter().map(|p| p.seconds)).collect();

@@ -8,7 +8,6 @@ use crate::job::evaluate::measure_at;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::report::TimeReport;
 use crate::target::label;
-use tomolith_material::Material;
 use tomolith_material::curves::Curves;
 use tomolith_material::photopolymer::Photopolymer;
 use tomolith_material::print::Moment;
