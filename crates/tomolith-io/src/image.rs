@@ -426,7 +426,7 @@ mod tests {
 
     #[test]
     fn mutated_bytes_end_in_an_image_or_an_error() {
-        use crate::fuzz::{mutate, rounds};
+        use tomolith_core::check::fuzz::{mutate, rounds};
         let tiff = tiff_of::<colortype::Gray16>(3, &[1, 2, 3, 4, 5, 6]);
         let files = [("png", gray_png(&[0, 51, 255])), ("tif", tiff)];
         let [read, all] = rounds(0.5, |random| {

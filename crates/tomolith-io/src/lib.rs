@@ -8,8 +8,6 @@ pub mod channel;
 pub mod csr;
 pub mod csv;
 pub mod frames;
-#[cfg(test)]
-pub(crate) mod fuzz;
 pub mod image;
 pub mod mesh;
 pub mod movie;

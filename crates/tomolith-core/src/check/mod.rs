@@ -2,6 +2,7 @@
 //!
 //! Each check returns what is wrong in one sentence. Every row of every table is enrolled by the tests of its family.
 
+pub mod fuzz;
 pub mod model;
 pub mod small;
 pub mod taylor;

@@ -4,8 +4,8 @@ use super::samples::{
     cuboid, files, model, obj, package, package_of, ply, stl_binary, stl_text, together,
 };
 use super::*;
-use crate::fuzz::{mutate, rounds};
 use std::fmt::Write as _;
+use tomolith_core::check::fuzz::{mutate, rounds};
 
 fn part() -> Mesh {
     cuboid([0.0, 0.0, 0.0], [1.0, 2.0, 3.0])

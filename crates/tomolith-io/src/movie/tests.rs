@@ -220,7 +220,7 @@ fn lossless_movies_keep_every_level_at_any_depth() {
 
 #[test]
 fn mutated_files_end_in_frames_or_an_error() {
-    use crate::fuzz::{mutate, rounds};
+    use tomolith_core::check::fuzz::{mutate, rounds};
     let names = ["high.mp4", "baseline.mp4"];
     let whole = names.map(|name| std::fs::read(sample(name)).unwrap());
     let [_, count] = rounds(0.5, |random| {

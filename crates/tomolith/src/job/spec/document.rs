@@ -532,6 +532,7 @@ fn in_line(value: &Value) -> String {
 mod tests {
     use super::*;
     use crate::job::JobSpec;
+    use tomolith_core::check::fuzz::{mutate, rounds};
 
     const JOB: &str = "title = \"a\"\n\n[vial.cylinder]\ninner_radius_mm = 7.6\n\n[[light]]\nangles = 300\n[[light]]\nangles = { count = 4 }\n";
 
@@ -760,66 +761,19 @@ mod tests {
     /// Mutated bytes of real jobs: an error or a job, never a panic. `TOMOLITH_FUZZ_SECONDS` makes it longer.
     #[test]
     fn hostile_bytes_never_panic() {
-        let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS")
-            .ok()
-            .and_then(|s| s.parse().ok())
-            .unwrap_or(2.0);
-        let start = std::time::Instant::now();
         let json =
             serde_json::to_string_pretty(&Document::toml("a.toml", JOB).unwrap().root).unwrap();
-        let full = crate::job::tests::FULL.as_bytes().to_vec();
-        let seeds = [
-            ("a.toml", full),
-            ("a.toml", JOB.as_bytes().to_vec()),
-            ("a.json", json.into_bytes()),
-        ];
-        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-        let mut random = move |n: usize| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state % n.max(1) as u64) as usize
-        };
-        const TOKENS: [&[u8]; 14] = [
-            b"[",
-            b"]",
-            b"{",
-            b"}",
-            b"\"",
-            b"=",
-            b".",
-            b"-",
-            b"nan",
-            b"1e999",
-            b"\xff",
-            b"\n",
-            b"99999999999999999999",
-            b"'''",
-        ];
-        let (mut tried, mut read) = (0u64, 0u64);
-        while start.elapsed().as_secs_f64() < seconds {
-            let (file, bytes) = &seeds[random(seeds.len())];
-            let mut bytes = bytes.clone();
-            for _ in 0..=random(4) {
-                let at = random(bytes.len());
-                match random(5) {
-                    0 => bytes[at] = random(256) as u8,
-                    1 if bytes.len() > 1 => drop(bytes.remove(at)),
-                    2 => drop(bytes.splice(at..at, TOKENS[random(TOKENS.len())].iter().copied())),
-                    3 => bytes.truncate(at + 1),
-                    _ => {
-                        let piece = bytes[at..(at + random(40)).min(bytes.len())].to_vec();
-                        let to = random(bytes.len());
-                        bytes.splice(to..to, piece);
-                    }
-                }
-            }
-            tried += 1;
-            if let Ok(document) = Document::from_bytes(Path::new(file), bytes) {
-                read += 1;
-                let _ = JobSpec::from_document(&document).map_err(|e| e.to_string());
-            }
-        }
+        let full = crate::job::tests::FULL;
+        let seeds = [("a.toml", full), ("a.toml", JOB), ("a.json", &json)];
+        let [read, tried] = rounds(1.0, |random| {
+            let (file, text) = seeds[random.below(seeds.len())];
+            let mut bytes = text.as_bytes().to_vec();
+            mutate(&mut bytes, random);
+            let document = Document::from_bytes(Path::new(file), bytes);
+            let spec = document.as_ref().map(JobSpec::from_document);
+            drop(spec.map(|spec| spec.map_err(|e| e.to_string())));
+            document.is_ok()
+        });
         assert!(
             tried > 100 && read > 0 && read < tried,
             "tried {tried}, read {read}"

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 ///
 /// # Panics
 /// Where a reader panics, or takes more than five seconds.
-pub(crate) fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2] {
+pub fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2] {
     let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS").ok();
     let seconds = seconds.and_then(|s| s.parse().ok()).unwrap_or(2.0);
     let start = Instant::now();
@@ -25,24 +25,26 @@ pub(crate) fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2]
 }
 
 /// Counter-based random numbers (SplitMix64).
-pub(crate) struct Random(pub(crate) u64);
+pub struct Random(pub u64);
 
 impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
+    /// The next 64 bits.
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
 
-    pub(crate) fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
+    /// From 0 to n − 1.
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.bits() % n.max(1) as u64) as usize
     }
 }
 
 /// A few changes: bytes, cuts, repetitions, and numbers that break careless readers.
-pub(crate) fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
-    const WORDS: [&[u8]; 12] = [
+pub fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
+    const WORDS: [&[u8]; 22] = [
         b"\xff\xff\xff\xff",
         b"\0\0\0\0",
         b"\xff\xff\xff\x7f",
@@ -55,11 +57,21 @@ pub(crate) fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
         b"<",
         b"/",
         b"-9223372036854775808",
+        b"[",
+        b"]",
+        b"{",
+        b"}",
+        b"\"",
+        b"'''",
+        b"=",
+        b".",
+        b"-",
+        b"\xff",
     ];
     for _ in 0..1 + random.below(4) {
         let at = random.below(bytes.len() + 1);
         match random.below(6) {
-            0 if at < bytes.len() => bytes[at] = random.next() as u8,
+            0 if at < bytes.len() => bytes[at] = random.bits() as u8,
             1 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
             2 => bytes.truncate(at),
             3 => {
