@@ -14,6 +14,7 @@ pub mod kind;
 pub mod least_squares;
 pub mod monotone_cubic;
 pub mod parallel;
+pub mod random;
 pub mod ranks;
 pub mod response;
 pub mod target;

@@ -1,6 +1,6 @@
 //! Random numbers that are frozen: a stream depends on its words alone, not on who draws first.
 //!
-//! splitmix64 (Steele, Lea & Flood, OOPSLA 2014) over a state that the words of a path (seed, frame, pixel, ray) are mixed
+//! [`SplitMix`] over a state that the words of a path (seed, frame, pixel, ray) are mixed
 //! into. A dose model that draws from such streams is one fixed matrix for a seed.
 //!
 //! ```
@@ -10,35 +10,24 @@
 //! assert_ne!(draw([1, 2, 3, 4]), draw([2, 2, 3, 4])); // another seed, others
 //! ```
 
+use tomolith_core::random::{STEP, SplitMix, mixed};
+
 /// See the [module page](self).
 #[derive(Clone, Copy, Debug)]
-pub struct Stream(u64);
+pub struct Stream(SplitMix);
 
 impl Stream {
     /// The stream of a path.
     #[must_use]
     pub fn new(words: [u64; 4]) -> Self {
-        Stream(
-            words
-                .iter()
-                .fold(0, |state, &word| mixed(state ^ word.wrapping_add(STEP))),
-        )
+        let state = |state, &word: &u64| mixed(state ^ word.wrapping_add(STEP));
+        Stream(SplitMix(words.iter().fold(0, state)))
     }
 
     /// The next number, in (0, 1).
     pub fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(STEP);
-        ((mixed(self.0) >> 12) as f64 + 0.5) / (1u64 << 52) as f64
+        ((self.0.bits() >> 12) as f64 + 0.5) / (1u64 << 52) as f64
     }
-}
-
-/// 2⁶⁴ divided by the golden ratio.
-const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
-
-fn mixed(mut z: u64) -> u64 {
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::expression::Condition;
 use crate::spec::{AxisSpec, CaseSpec, DrawSpec, RangeSpec, SampleSpec};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
+use tomolith::random::SplitMix;
 use tomolith::units::{concise, duration};
 use tomolith::{Error, Result};
 
@@ -600,23 +601,6 @@ fn hypercube(axes: &[Axis], draw: DrawSpec) -> Vec<SweepPoint> {
     (0..draw.count)
         .map(|i| drawn(axes, columns.iter().map(|column| column[i]).collect()))
         .collect()
-}
-
-struct SplitMix(u64);
-
-impl SplitMix {
-    /// A number from 0 to below 1.
-    fn part(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        (mixed(self.0) >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
-/// The finalizer of SplitMix64.
-pub(crate) fn mixed(state: u64) -> u64 {
-    let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 /// A value as people read it; a kind by its name, without its parameters.

@@ -1,6 +1,6 @@
 //! From a sweep file to its runs: every job read and checked, its identity, its share of the memory, where it starts.
 
-use crate::axes::{self, SweepPoint, mixed, named};
+use crate::axes::{self, SweepPoint, named};
 use crate::file::Sweep;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -10,6 +10,7 @@ use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Work;
 use tomolith::parallel::InParallel;
+use tomolith::random::mixed;
 use tomolith::{Error, Result};
 
 /// Runs whose time is estimated, at most.

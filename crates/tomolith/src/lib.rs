@@ -15,8 +15,8 @@
 pub mod job;
 
 pub use tomolith_core::{
-    Error, Place, Result, columns, dose, error, field, grid, kind, parallel, ranks, response, text,
-    units, work,
+    Error, Place, Result, columns, dose, error, field, grid, kind, parallel, random, ranks,
+    response, text, units, work,
 };
 #[cfg(feature = "gpu")]
 pub use tomolith_gpu as gpu;

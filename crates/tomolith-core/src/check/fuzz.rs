@@ -1,5 +1,6 @@
 //! Damaged files for the tests of readers.
 
+use crate::random::SplitMix;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -8,14 +9,14 @@ use std::time::{Duration, Instant};
 ///
 /// # Panics
 /// Where a reader panics, or takes more than five seconds.
-pub fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2] {
+pub fn rounds(share: f64, read: impl Fn(&mut SplitMix) -> bool) -> [u64; 2] {
     let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS").ok();
     let seconds = seconds.and_then(|s| s.parse().ok()).unwrap_or(2.0);
     let start = Instant::now();
     let (mut done, mut round) = (0, 0);
     while start.elapsed().as_secs_f64() < share * seconds {
         let begin = Instant::now();
-        let result = catch_unwind(AssertUnwindSafe(|| read(&mut Random(round))));
+        let result = catch_unwind(AssertUnwindSafe(|| read(&mut SplitMix(round))));
         let is_read = result.unwrap_or_else(|_| panic!("round {round}: the reader panicked"));
         assert!(begin.elapsed() < Duration::from_secs(5), "round {round}");
         done += u64::from(is_read);
@@ -24,26 +25,8 @@ pub fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2] {
     [done, round]
 }
 
-/// Counter-based random numbers (SplitMix64).
-pub struct Random(pub u64);
-
-impl Random {
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to n − 1.
-    pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n.max(1) as u64) as usize
-    }
-}
-
 /// A few changes: bytes, cuts, repetitions, and numbers that break careless readers.
-pub fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
+pub fn mutate(bytes: &mut Vec<u8>, random: &mut SplitMix) {
     const WORDS: [&[u8]; 22] = [
         b"\xff\xff\xff\xff",
         b"\0\0\0\0",

@@ -11,21 +11,15 @@ use crate::dose::{DoseModel, Work};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::{Kind, Section};
+use crate::random::{STEP, SplitMix};
 use serde_json::Value;
 
-/// Signed pseudo-random numbers in (−1, 1), the same on every machine (splitmix64: Steele, Lea, Flood 2014, doi:10.1145/2660193.2660195).
+/// Signed pseudo-random numbers in (−1, 1), the same on every machine (see [`random`](crate::random)).
 #[must_use]
 pub fn noise(seed: u64, len: usize) -> Vec<f32> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mut numbers = SplitMix(seed.wrapping_mul(STEP));
     (0..len)
-        .map(|_| {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = state;
-            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            z ^= z >> 31;
-            (z >> 40) as f32 / (1u64 << 23) as f32 - 1.0
-        })
+        .map(|_| (numbers.bits() >> 40) as f32 / (1u64 << 23) as f32 - 1.0)
         .collect()
 }
 
