@@ -9,98 +9,58 @@ use tomolith::{Error, Result};
 /// The number that stands in no table.
 const TIME_TO_PRINT: &str = "time_to_print_s";
 
-/// What stands in a table of a report, `""` for the whole, where every report has the same names there or none; indices are `[]`.
+/// The names in a table of a report, `""` for the whole, where every report has the same ones there or none; indices are `[]`. Lists have no names.
+const TABLES: [(&str, &str); 10] = [
+    (
+        "",
+        "evaluation optimization exposure limits published lights species one_exposure time properties history levels scenarios \
+         process_window response movies run part ceiling objective_window one_moment time_to_print_s",
+    ),
+    (
+        "exposure",
+        "measure best tolerance threshold dose percent time_s reported_percent",
+    ),
+    (
+        "history",
+        "iterations loss projected_gradient forward_calls adjoint_calls kept lower_bound gap",
+    ),
+    (
+        "levels",
+        "rounded_loss diffused_loss loss scale steps calls",
+    ),
+    ("optimization.objectives", ""),
+    (
+        "optimization.objectives[]",
+        "key weight loss voxels rms_error max_error",
+    ),
+    (
+        "process_window",
+        "outliers thresholds part_above part_below void_below window range ipdr",
+    ),
+    ("published.slices", ""),
+    (
+        "published.slices[]",
+        "z_mm part void pw ipdr ver pw_trimmed ipdr_trimmed",
+    ),
+    ("scenarios", "of threshold rows window worst_iou"),
+];
+
+/// What stands in a table of a report, as in [`TABLES`].
 fn names(table: &str, is_end: bool) -> Option<Vec<&'static str>> {
-    let names: &[&str] = match table {
-        "" => &[
-            "evaluation",
-            "optimization",
-            "exposure",
-            "limits",
-            "published",
-            "lights",
-            "species",
-            "one_exposure",
-            "time",
-            "properties",
-            "history",
-            "levels",
-            "scenarios",
-            "process_window",
-            "response",
-            "movies",
-            "run",
-            "part",
-            "ceiling",
-            "objective_window",
-            "one_moment",
-            TIME_TO_PRINT,
-        ],
+    match table {
         // They hold tables, too, in which a path does not end
         "evaluation" | "optimization" if is_end => {
             let more = ["gel_threshold", "band_half_width", "sub_angles"];
-            return Some(METRICS.iter().map(|m| m.name).chain(more).collect());
+            Some(METRICS.iter().map(|m| m.name).chain(more).collect())
         }
         "evaluation.errors" | "optimization.errors" => {
-            &["band_edge_peak", "range", "band", "part", "void"]
+            Some(vec!["band_edge_peak", "range", "band", "part", "void"])
         }
-        // Lists
-        "optimization.objectives" | "published.slices" => &[],
-        "optimization.objectives[]" => {
-            &["key", "weight", "loss", "voxels", "rms_error", "max_error"]
+        _ => {
+            let (_, names) = TABLES.iter().find(|(name, _)| *name == table)?;
+            Some(names.split_whitespace().collect())
         }
-        "published.slices[]" => &[
-            "z_mm",
-            "part",
-            "void",
-            "pw",
-            "ipdr",
-            "ver",
-            "pw_trimmed",
-            "ipdr_trimmed",
-        ],
-        "history" => &[
-            "iterations",
-            "loss",
-            "projected_gradient",
-            "forward_calls",
-            "adjoint_calls",
-            "kept",
-            "lower_bound",
-            "gap",
-        ],
-        "exposure" => &[
-            "measure",
-            "best",
-            "tolerance",
-            "threshold",
-            "dose",
-            "percent",
-            "time_s",
-            "reported_percent",
-        ],
-        "levels" => &[
-            "rounded_loss",
-            "diffused_loss",
-            "loss",
-            "scale",
-            "steps",
-            "calls",
-        ],
-        "scenarios" => &["of", "threshold", "rows", "window", "worst_iou"],
-        "process_window" => &[
-            "outliers",
-            "thresholds",
-            "part_above",
-            "part_below",
-            "void_below",
-            "window",
-            "range",
-            "ipdr",
-        ],
-        _ => return None,
-    };
-    Some(names.to_vec())
+    }
 }
 
 /// Refuses, before any run, a metric that no report has; `key` is the key that names it.
