@@ -648,32 +648,8 @@ fn initial_losses(bench: &Bench, folder: &str) -> Vec<f64> {
 }
 
 #[test]
-fn the_list_is_of_ordinary_commands() {
-    let bench = Bench::new(&SWEEP.replace("[best]", "[set]\n\"output.rpm\" = 8\n[best]"));
-    let plan = bench.plan("out dir");
-    let commands = plan.commands().unwrap();
-    assert_eq!(commands.len(), 6);
-    let folder = plan.run_folder(0);
-    assert!(
-        commands[0].starts_with("tomolith run ")
-            && commands[0].contains(
-                "--set output.rpm=8 --set objective.ospw.lower=0.3 --set objective.ospw.upper=0.4"
-            ),
-        "{}",
-        commands[0]
-    );
-    assert!(
-        commands[0].ends_with(&format!(
-            "--output '{}' --keep metrics --resume",
-            folder.display()
-        )),
-        "{}",
-        commands[0]
-    );
-    bench.write(
-        "sweep.toml",
-        &format!("keep = \"all\"\n{SWEEP}\n[warm_start]\n"),
-    );
+fn no_list_has_warm_starts() {
+    let bench = Bench::new(&format!("keep = \"all\"\n{SWEEP}\n[warm_start]\n"));
     let message = bench.plan("out").commands().unwrap_err().to_string();
     assert!(
         message.starts_with("--list: a list has no order"),

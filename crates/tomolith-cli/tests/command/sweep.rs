@@ -59,10 +59,12 @@ fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
 
 #[test]
 fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
-    let bench = bench();
+    let sweep = format!("{SWEEP}[set]\n\"stop.iterations\" = 9\n");
+    let bench = Bench::with(&[("job.toml", JOB), ("sweep.toml", &sweep)]);
     bench.done("sweep sweep.toml --output whole --quiet");
     let list = bench.stdout(0, "sweep sweep.toml --output out --list");
     assert_eq!(list.lines().count(), 5);
+    assert!(list.ends_with("--keep metrics --resume\n"), "{list}");
     for line in list.lines() {
         bench.done(&format!(
             "{} --quiet",
