@@ -110,7 +110,7 @@ pub struct SpeciesTarget {
     pub band: Option<f64>,
 }
 
-/// Observer of a run.
+/// Observer of a run; a closure is one that hears every event.
 pub trait Progress {
     /// Called for each event, in order, from the thread that runs the job.
     fn event(&mut self, event: &Event);
@@ -123,6 +123,12 @@ pub trait Progress {
     /// Called with the copies of [`wants`](Self::wants), after the event of their iteration.
     fn snapshot(&mut self, snapshot: Snapshot) {
         drop(snapshot);
+    }
+}
+
+impl<F: FnMut(&Event)> Progress for F {
+    fn event(&mut self, event: &Event) {
+        self(event);
     }
 }
 
@@ -302,21 +308,14 @@ pub(crate) fn stage(progress: &mut dyn Progress, work: &Work, name: &str) -> Wor
 mod tests {
     use super::*;
 
-    struct Told(Vec<Event>);
-
-    impl Progress for Told {
-        fn event(&mut self, event: &Event) {
-            self.0.push(event.clone());
-        }
-    }
-
     #[test]
     fn stages_tell_how_far_they_are_from_the_callers_thread_and_end_whole() {
-        let (work, mut recorded) = (Work::new(), Told(Vec::new()));
+        let (work, mut recorded) = (Work::new(), Vec::new());
+        let mut record = |event: &Event| recorded.push(event.clone());
         let name = |name: &str| Event::Stage {
             name: name.to_owned(),
         };
-        let result = watched(&mut recorded, &work, |progress| {
+        let result = watched(&mut record, &work, |progress| {
             for stage in ["a", "b"] {
                 let part = work.stage();
                 progress.event(&name(stage));
@@ -330,7 +329,6 @@ mod tests {
         });
         assert_eq!(result.unwrap(), 7);
         let stages: Vec<&[Event]> = recorded
-            .0
             .split(|e| matches!(e, Event::Stage { .. }))
             .collect();
         assert_eq!(stages.len(), 3);

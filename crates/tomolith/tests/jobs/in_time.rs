@@ -2,7 +2,7 @@
 
 use crate::{BALL, Finished, LIGHT, job_of, losses};
 use serde_json::Value;
-use tomolith::job::{Event, Job, Progress, Silent, Summary, run};
+use tomolith::job::{Event, Job, Silent, Summary, run};
 use tomolith::models::Work;
 use tomolith::optimize::OPTIMIZERS;
 
@@ -19,24 +19,17 @@ fn job(changes: &[&str]) -> Job {
     job_of(&[BALL, LIGHT, TIME].concat(), changes).unwrap()
 }
 
-/// Hears warnings.
-#[derive(Default)]
-struct Warnings(Vec<String>);
-
-impl Progress for Warnings {
-    fn event(&mut self, event: &Event) {
-        if let Event::Warning { text } = event {
-            self.0.push(text.clone());
-        }
-    }
-}
-
 /// Summary, report, page and warnings of a run.
 fn ran(changes: &[&str]) -> (Summary, Value, String, Vec<String>) {
-    let mut warnings = Warnings::default();
-    let run = Finished::run(job(changes), &mut warnings);
+    let mut warnings = Vec::new();
+    let mut hear = |event: &Event| {
+        if let Event::Warning { text } = event {
+            warnings.push(text.clone());
+        }
+    };
+    let run = Finished::run(job(changes), &mut hear);
     let (report, page) = (run.report(), run.read("report.html"));
-    (run.summary, report, page, warnings.0)
+    (run.summary, report, page, warnings)
 }
 
 #[test]

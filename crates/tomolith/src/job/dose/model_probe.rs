@@ -92,8 +92,13 @@ mod tests {
             "#
         );
         let mut job = ResolvedJob::under(&job_of(&text, &[]), &Work::new()).unwrap();
-        let mut notes = Said(Vec::new());
-        try_orders(&mut job, &mut notes, &Work::new()).unwrap();
+        let mut notes = Vec::new();
+        let mut note = |event: &Event| {
+            if let Event::Note { text } = event {
+                notes.push(text.clone());
+            }
+        };
+        try_orders(&mut job, &mut note, &Work::new()).unwrap();
         let by_paths = |optics: &Optics| {
             let family = optics.family(&job.grid).unwrap();
             family.monte_carlo_paths().is_some()
@@ -102,17 +107,7 @@ mod tests {
         let found = by_paths(&job.optics);
         let of_scenarios = job.scenarios.iter().map(|s| by_paths(&s.optics));
         assert!(of_scenarios.into_iter().all(|scenario| scenario == found));
-        (notes.0, found)
-    }
-
-    struct Said(Vec<String>);
-
-    impl Progress for Said {
-        fn event(&mut self, event: &Event) {
-            if let Event::Note { text } = event {
-                self.0.push(text.clone());
-            }
-        }
+        (notes, found)
     }
 
     #[test]

@@ -30,24 +30,6 @@ fn check_promises_a_ceiling_only_where_the_run_looks_for_one() {
     }
 }
 
-/// Cancels when a stage begins, and remembers what is told.
-struct Canceler<'r> {
-    at: &'static str,
-    work: &'r Work,
-    stages: Vec<String>,
-}
-
-impl Progress for Canceler<'_> {
-    fn event(&mut self, event: &Event) {
-        if let Event::Stage { name } = event {
-            self.stages.push(name.clone());
-            if name == self.at {
-                self.work.cancel();
-            }
-        }
-    }
-}
-
 #[test]
 fn a_request_to_stop_ends_the_stage_at_hand() {
     let place = tempfile::tempdir().unwrap();
@@ -72,16 +54,19 @@ fn a_request_to_stop_ends_the_stage_at_hand() {
     ];
     for (i, at) in stages.into_iter().enumerate() {
         let folder = place.path().join(i.to_string());
-        let work = Work::new();
-        let mut canceler = Canceler {
-            at,
-            work: &work,
-            stages: Vec::new(),
+        let (work, mut begun) = (Work::new(), Vec::new());
+        let mut cancel = |event: &Event| {
+            if let Event::Stage { name } = event {
+                begun.push(name.clone());
+                if name == at {
+                    work.cancel();
+                }
+            }
         };
         let job = job.clone().with_folder(&folder, "--output");
-        let ended = super::run(&job, false, &mut canceler, &work);
+        let ended = super::run(&job, false, &mut cancel, &work);
         assert!(matches!(ended, Err(Error::Canceled)), "{at}: {ended:?}");
-        assert_eq!(canceler.stages, stages[..=i], "{at}");
+        assert_eq!(begun, stages[..=i], "{at}");
         // Of a run whose patterns are there they are kept; nothing else is left
         assert_eq!(
             folder.join("checkpoint/patterns.npz").exists(),
