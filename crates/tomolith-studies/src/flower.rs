@@ -1,8 +1,8 @@
 //! The gray flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
 //! one: the tables of `docs/papers/bclp.md`.
 //!
-//! `flower [IMAGE | phantom] [published | varied | all] [voxels along an edge]
-//! [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose name contains ROW.
+//! `flower [IMAGE | phantom] [voxels along an edge] [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose
+//! name contains ROW. What they published stands beside jobs in `papers/bclp`.
 //!
 //! IMAGE is a square gray picture whose inscribed circle holds the flower; `phantom` is Tomolith's own stand-in. Every row is
 //! one run: BCLP with p = 2, q = 1, w = 1, their raw step until their stop rule (eq. 28), starting from their filtered
@@ -33,8 +33,10 @@ use tomolith::optimize::{Limits, OPTIMIZERS, Outcome, Problem, Row, Stop, StopRe
 use tomolith::response::{Identity, Logistic, Response, logistic};
 use tomolith::target::{self, Target, TargetSpec, label, label_voxels};
 
-/// Half widths ε and the published losses, for B = 10.
-const PUBLISHED: [(f64, f64); 4] = [(0.2, 0.0), (0.1, 0.879), (0.05, 6.20), (0.0, 18.9)];
+/// Half widths ε and the published losses.
+const PUBLISHED: [(f64, f64); 3] = [(0.1, 0.879), (0.05, 6.20), (0.0, 18.9)];
+/// Their B.
+const STEEPNESS: f64 = 10.0;
 /// Steps after which a run ends that their rule does not stop.
 const PATIENCE: usize = 30_000;
 
@@ -60,7 +62,6 @@ enum Operator {
 #[derive(Clone)]
 struct Setting {
     epsilon: f64,
-    steepness: f64,
     material: Material,
     operator: Operator,
     voxels: usize,
@@ -86,7 +87,6 @@ impl Setting {
     fn published(voxels: usize) -> Self {
         Setting {
             epsilon: 0.05,
-            steepness: 10.0,
             material: Material::Clamped,
             operator: Operator::Kernel(Kernel::DistanceDriven),
             voxels,
@@ -135,7 +135,7 @@ struct Solved {
 
 fn response(setting: &Setting) -> Result<Arc<dyn Response>, Error> {
     let logistic = Logistic::new(logistic::Params {
-        steepness: setting.steepness,
+        steepness: STEEPNESS,
         ..Default::default()
     })?;
     Ok(match setting.material {
@@ -419,33 +419,9 @@ fn passing(history: &[Row], setting: &Setting) {
     );
 }
 
-/// B = 10 and 25 at each ε, next to the published losses.
-fn published(wanted: &Wanted<'_>, voxels: usize) -> Result<(), Error> {
-    for steepness in [10.0, 25.0] {
-        println!("\n**B = {steepness}**; published for B = 10: {PUBLISHED:?}\n");
-        head();
-        for (epsilon, _) in PUBLISHED {
-            let setting = Setting {
-                epsilon,
-                steepness,
-                ..Setting::published(voxels)
-            };
-            row(wanted, &format!("as published, B = {steepness}"), &setting)?;
-        }
-        let setting = Setting {
-            epsilon: 0.0,
-            steepness,
-            optimizer: ("bclp", json!({"step": 0.1 * STEP})),
-            ..Setting::published(voxels)
-        };
-        row(wanted, &format!("step ÷ 10, B = {steepness}"), &setting)?;
-    }
-    Ok(())
-}
-
 /// One thing changed at a time: all at ε = 0.05, and what moves the loss there at the other ε, too.
 fn varied(wanted: &Wanted<'_>, voxels: usize) -> Result<(), Error> {
-    println!("\n**One change at a time**, B = 10\n");
+    println!("\n**One change at a time**, B = {STEEPNESS}\n");
     head();
     for (epsilon, all) in [(0.05, true), (0.1, false), (0.0, false)] {
         let base = Setting {
@@ -469,7 +445,7 @@ const MOVING: [&str; 4] = ["kernel line", "kernel linear", "L-BFGS", "1500 steps
 fn corners(base: &Setting) {
     let inside = PI / 4.0 * (base.voxels as f64 - 1.0).powi(2);
     let count = (base.voxels as f64).powi(2) - inside;
-    let response = 1.0 / (1.0 + (base.steepness / 2.0).exp());
+    let response = 1.0 / (1.0 + (STEEPNESS / 2.0).exp());
     let sum = count * (response - base.epsilon).max(0.0).powi(2);
     println!(
         "| corners outside the circle add {sum:.2} to the square of the loss | {} ||||||||",
@@ -568,20 +544,15 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
 
 pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     let argument = |n: usize, or: &str| arguments.get(n).cloned().unwrap_or_else(|| or.to_owned());
-    let (image, what) = (argument(0, "phantom"), argument(1, "all"));
-    let voxels = argument(2, "512")
+    let image = argument(0, "phantom");
+    let voxels = argument(1, "512")
         .parse()
-        .map_err(|_| Error::config("voxels", argument(2, ""), "a whole number"))?;
+        .map_err(|_| Error::config("voxels", argument(1, ""), "a whole number"))?;
     let wanted = Wanted {
         image: &image,
-        epsilon: arguments.get(3),
-        row: arguments.get(4),
+        epsilon: arguments.get(2),
+        row: arguments.get(3),
     };
-    if what != "varied" {
-        published(&wanted, voxels)?;
-    }
-    if what != "published" {
-        varied(&wanted, voxels)?;
-    }
+    varied(&wanted, voxels)?;
     Ok(())
 }

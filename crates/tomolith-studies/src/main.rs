@@ -35,7 +35,7 @@ const STUDIES: [(&str, &str, &str, Study); 7] = [
     ),
     (
         "flower",
-        "[IMAGE | phantom] [published | varied | all] [VOXELS] [EPSILON | all] [ROW]",
+        "[IMAGE | phantom] [VOXELS] [EPSILON | all] [ROW]",
         "the gray flower of BCLP",
         flower::study,
     ),
