@@ -186,7 +186,6 @@ fn anybodys_arrays_are_measured() {
         "metrics dose.npy other.npy",
         &["expected shape [1, 2, 2], found [1, 1, 4]"],
     );
-    bench.refuse("metrics none.npy target.npy", &["none.npy"]);
     bench.refuse("metrics dose.npy target.npy --pitch-mm 0", &["--pitch-mm"]);
     bench.write("nan.npy", &doubles("2, 2", &[0.2, f64::NAN, 0.9, 0.4]));
     bench.refuse(
@@ -205,14 +204,8 @@ fn anybodys_arrays_are_measured() {
     let metrics_of = |target: &str| bench.json(&format!("metrics dose.npy {target}"));
     assert_eq!(metrics_of("mask.npy"), metrics_of("one.npy"));
     bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
-    bench.write("far.npy", &doubles("2, 2", &[0.2, 1e300, 0.9, 0.4]));
-    bench.write("near.npy", &doubles("2, 2", &[2e-300, 8e-300, 0.0, 0.0]));
     bench.refuse_each(
-        "$ metrics far.npy target.npy
-        far.npy … 1e300 (at place 1, from 0) … 3.4e38
-        $ metrics near.npy target.npy
-        near.npy … 8e-300 (at place 1, from 0) … 1e-45
-        $ metrics dose.npy none.npy
+        "$ metrics dose.npy none.npy
         none.npy: no voxel of the part
         $ metrics dose.npy bytes.npy
         bytes.npy: a value of 255 … divide 8-bit values by 255
@@ -308,18 +301,7 @@ fn runs_are_compared_and_exported() {
         "export a --output c --set printer.canvas=[20,20]",
         &["printer.canvas", "need 32 × 16"],
     );
-    fs::create_dir(bench.path("empty")).unwrap();
-    for (no_run, why) in [
-        ("nowhere", "no such folder"),
-        ("empty", "no report.json in it"),
-        ("job.toml", "a file, not a folder"),
-    ] {
-        let message = bench.expect(2, &format!("compare a {no_run}"));
-        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
-        for part in [no_run, why, "accepted: the folder of a run"] {
-            assert!(message.contains(part), "{part}: {message}");
-        }
-    }
+    bench.refuse("compare a nowhere", &["nowhere", "no such folder"]);
     assert!(!bench.path("c").exists());
 }
 

@@ -243,7 +243,6 @@ fn what_cannot_be_served_is_refused_before() {
     let taken = listener.local_addr().unwrap().port();
     for (line, message) in [
         ("view missing", "there is no such folder"),
-        ("view job.toml", "a file, not a folder"),
         (&format!("view a --port {taken}"), "--port"),
         ("run job.toml -o b --port 8080", "without `--open`"),
         ("run job.toml job.toml --open", "one job"),

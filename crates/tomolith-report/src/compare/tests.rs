@@ -160,9 +160,16 @@ fn runs_without_history_or_curves_still_make_a_page() {
 #[test]
 fn folders_that_are_no_runs_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    let empty = read_runs(&[folder.path()]).unwrap_err().to_string();
-    assert!(empty.contains("no report.json in it"), "{empty}");
-    std::fs::write(folder.path().join("report.json"), "{\"schema\": \"other\"}").unwrap();
+    let why = |path: &Path| read_runs(&[path]).unwrap_err().to_string();
+    tomolith_core::contains!(
+        why(folder.path()),
+        "no report.json in it",
+        "accepted: the folder of a run"
+    );
+    let report = folder.path().join("report.json");
+    tomolith_core::contains!(why(&report), "there is no such folder");
+    std::fs::write(&report, "{\"schema\": \"other\"}").unwrap();
+    tomolith_core::contains!(why(&report), "a file, not a folder");
     assert!(matches!(
         read_runs(&[folder.path()]),
         Err(Error::Format { .. })
