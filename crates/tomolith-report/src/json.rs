@@ -104,17 +104,19 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
     let timings = table_of(timings.map(|t| (t.name.clone(), number(t.seconds))));
     let models = data.models.iter();
     let models = table_of(models.map(|(stage, model)| ((*stage).to_owned(), json!(model))));
-    let species: Vec<Value> = data.species.iter().map(species_json).collect();
+    let first = data.first();
+    let named = data.species.iter().filter(|s| !s.name.is_empty());
+    let species: Vec<Value> = named.map(species_json).collect();
     let found = data.found_response.iter();
     let found = table_of(found.map(|(name, v)| (name.clone(), json!(v))));
     let response = (!found.is_empty()).then_some(found);
     json!({
         "schema": super::SCHEMA,
         "part": data.part,
-        "evaluation": evaluation_json(data.evaluation),
+        "evaluation": evaluation_json(first.evaluation),
         "optimization": data.optimization.map(|evaluation| optimization_json(evaluation, data.objectives)),
-        "exposure": data.exposure,
-        "limits": data.limits.causes,
+        "exposure": first.exposure,
+        "limits": first.limits.causes,
         "published": data.published,
         "lights": lights,
         "species": species,
@@ -132,7 +134,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "scenarios": data.scenarios,
         "process_window": data.found_window,
         "response": response,
-        "objective_window": data.window,
+        "objective_window": first.window,
         "time_to_print_s": number(time_to_print_s(data)),
         "movies": movies,
         "notes": data.notes,

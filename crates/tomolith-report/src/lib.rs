@@ -125,24 +125,24 @@ impl MapReport<'_> {
     }
 }
 
-/// What one of several species prints.
+/// What a species prints.
 #[derive(Clone, Debug)]
 pub struct SpeciesReport<'a> {
-    /// Its name.
+    /// Its name; empty where the job names no species.
     pub name: &'a str,
     /// Each light and how strongly it drives the species.
     pub driven_by: Vec<(String, f64)>,
     /// Its numbers: finer grid, written patterns, vial turning.
     pub evaluation: &'a Evaluation,
-    /// Labels of the evaluation's voxels.
+    /// Labels of the evaluation's voxels ([`tomolith_core::target::label`]).
     pub labels: &'a Volume<u8>,
     /// Its response there.
     pub response: &'a Volume<f32>,
     /// Inside fraction, or gray values, of its target there.
     pub inside: &'a Volume<f32>,
-    /// Thresholds of its objective, where it has any.
+    /// Thresholds of its objective `[lower, upper]`, where it has any: void below, part above.
     pub window: Option<[f64; 2]>,
-    /// Over which exposures it is nearly as good as at the best one of this species.
+    /// Over which exposures it is nearly as good as at the best one of this species, where this is known.
     pub exposure: Option<ExposureWindow>,
     /// What limits it.
     pub limits: &'a PrintLimits,
@@ -162,33 +162,19 @@ pub struct ReportData<'a> {
     pub facts: Vec<(String, String)>,
     /// What gave the doses: `("optimization", "parallel (…): …")`.
     pub models: Vec<(&'static str, String)>,
-    /// Over which exposures the print is nearly as good as at the best one, where this is known.
-    pub exposure: Option<&'a ExposureWindow>,
-    /// What limits the print; of the first of several species.
-    pub limits: &'a PrintLimits,
     /// The patterns of each light.
     pub lights: Vec<LightReport<'a>>,
-    /// Labels of the evaluation's voxels ([`tomolith_core::target::label`]).
-    pub labels: &'a Volume<u8>,
-    /// Response of the same voxels, vial turning.
-    pub response: &'a Volume<f32>,
-    /// Inside fraction of the same voxels.
-    pub inside: Option<&'a Volume<f32>>,
-    /// Which of the same voxels belong to a body that is not printed: [`DARK`], [`INSERT`] or [`OBSTACLE`], else 0. None without
+    /// What each species prints, first the one that the headline is about.
+    pub species: Vec<SpeciesReport<'a>>,
+    /// Which of the evaluation's voxels belong to a body that is not printed: [`DARK`], [`INSERT`] or [`OBSTACLE`], else 0. None without
     /// such bodies.
     pub bodies: Option<&'a Volume<u8>>,
-    /// Thresholds of the objective `[lower, upper]`, where it has any: void below, part above.
-    pub window: Option<[f64; 2]>,
-    /// The headline: finer grid, written patterns, vial turning.
-    pub evaluation: &'a Evaluation,
-    /// On the optimization's grid.
+    /// The first species on the optimization's grid.
     pub optimization: Option<&'a Evaluation>,
     /// Every one of `objectives` there; empty for a job with `objective`.
     pub objectives: &'a [ObjectiveReport],
     /// Numbers with other authors' signs or normalizations.
     pub published: serde_json::Map<String, serde_json::Value>,
-    /// Every species where a job names several, the first being that of the numbers above.
-    pub species: Vec<SpeciesReport<'a>>,
     /// The same species at one exposure, where there are several.
     pub one_exposure: Option<&'a OneExposure>,
     /// The print in time, per network, where the job has a schedule.
@@ -236,18 +222,19 @@ pub const INSERT: u8 = 2;
 /// Of [`ReportData::bodies`]: a body in the light that is no part of the target. Its voxels may be labeled as void.
 pub const OBSTACLE: u8 = 3;
 
-impl ReportData<'_> {
+impl<'a> ReportData<'a> {
+    /// The species of the headline.
+    fn first(&self) -> &SpeciesReport<'a> {
+        &self.species[0]
+    }
+
     /// Quality against time, where the run looked for a ceiling of its pixels.
     fn trade_off(&self) -> Vec<TradeOff> {
-        let first = RunPrint {
-            evaluation: self.evaluation,
-            exposure: self.exposure,
-        };
-        let others = self.species.iter().skip(1).map(|species| RunPrint {
+        let prints = self.species.iter().map(|species| RunPrint {
             evaluation: species.evaluation,
             exposure: species.exposure.as_ref(),
         });
-        let prints: Vec<RunPrint<'_>> = std::iter::once(first).chain(others).collect();
+        let prints: Vec<RunPrint<'_>> = prints.collect();
         let scales = self.lights.iter().map(|light| f64::from(light.full_scale));
         let brightest = scales.fold(0.0, f64::max);
         let rows_of = |ceiling: &CeilingReport| ceiling.trade_off(&prints, brightest);
@@ -256,21 +243,19 @@ impl ReportData<'_> {
 
     /// Whether volumes belong together.
     fn check(&self) -> Result<()> {
-        let expected = self.labels.grid.len();
+        let (first, bodies) = (self.first(), self.bodies);
+        let expected = first.labels.grid.len();
         let lengths = [
-            ("labels", self.labels.values.len()),
-            ("response", self.response.values.len()),
-            (
-                "inside fraction",
-                self.inside.map_or(expected, |v| v.values.len()),
-            ),
-            ("bodies", self.bodies.map_or(expected, |v| v.values.len())),
+            ("labels", first.labels.values.len()),
+            ("response", first.response.values.len()),
+            ("inside fraction", first.inside.values.len()),
+            ("bodies", bodies.map_or(expected, |v| v.values.len())),
         ];
         for (what, found) in lengths {
             if found != expected {
                 return Err(Error::shape(
                     format!("{what} of the report"),
-                    self.labels.grid.shape,
+                    first.labels.grid.shape,
                     vec![found],
                 ));
             }
@@ -315,6 +300,7 @@ mod tests {
     pub(crate) struct Sample {
         labels: Volume<u8>,
         response: Volume<f32>,
+        inside: Volume<f32>,
         patterns: Patterns,
         history: Vec<HistoryRow>,
         limits: PrintLimits,
@@ -346,7 +332,8 @@ mod tests {
             };
             Sample {
                 labels: Volume::from_fn(grid.clone(), label),
-                response: Volume::from_fn(grid, |middle| (1.3 - radius(middle)) as f32),
+                response: Volume::from_fn(grid.clone(), |middle| (1.3 - radius(middle)) as f32),
+                inside: Volume::from_fn(grid, |middle| f32::from(label(middle) == PART)),
                 patterns,
                 history: (0..5).map(row).collect(),
                 limits: PrintLimits {
@@ -376,8 +363,6 @@ mod tests {
                 is_toy: false,
                 facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
                 models: vec![("evaluation", "parallel: one slice serves all".to_owned())],
-                exposure: None,
-                limits: &self.limits,
                 lights: vec![LightReport {
                     name: "",
                     patterns: &self.patterns,
@@ -395,16 +380,21 @@ mod tests {
                     },
                     irradiance: None,
                 }],
-                labels: &self.labels,
-                response: &self.response,
-                inside: None,
+                species: vec![SpeciesReport {
+                    name: "",
+                    driven_by: Vec::new(),
+                    evaluation,
+                    labels: &self.labels,
+                    response: &self.response,
+                    inside: &self.inside,
+                    window: Some([0.7, 0.9]),
+                    exposure: None,
+                    limits: &self.limits,
+                }],
                 bodies: None,
-                window: Some([0.7, 0.9]),
-                evaluation,
                 optimization: None,
                 objectives: &[],
                 published: serde_json::Map::new(),
-                species: Vec::new(),
                 one_exposure: None,
                 maps: Vec::new(),
                 time: Vec::new(),
@@ -592,7 +582,8 @@ mod tests {
         let response = Volume::new(grid.clone(), (0..grid.len()).map(noise).collect());
         let labels = Volume::filled(grid, PART);
         let mut data = sample.data(&evaluation);
-        (data.labels, data.response) = (&labels, &response);
+        let first = &mut data.species[0];
+        (first.labels, first.response, first.inside) = (&labels, &response, &response);
         let (_, page) = page_of(&data);
         for info in page.data["runs"][0]["volumes"].as_array().unwrap() {
             assert_eq!(info["reduced"], 3);
@@ -630,7 +621,7 @@ mod tests {
         let print = || Print::new(&sample.labels, &sample.response).unwrap();
         let evaluation = evaluate(&print().with_gray(&wanted, 0.05).unwrap());
         let mut data = sample.data(&evaluation);
-        data.inside = Some(&wanted);
+        data.species[0].inside = &wanted;
         let (page, _) = page_of(&data);
         tomolith_core::contains!(page, "100 % of the voxels lies within ±0.05");
         let json = json::report_json(&data);
@@ -658,7 +649,7 @@ mod tests {
         let evaluation = sample.evaluation();
         let mut data = sample.data(&evaluation);
         let small = Volume::filled(VolumeGrid::centered([1, 1, 1], 1.0), 0.0f32);
-        data.inside = Some(&small);
+        data.species[0].inside = &small;
         let refused = write_html(Path::new("r.html"), &data);
         assert!(matches!(refused, Err(Error::Shape { .. })));
     }

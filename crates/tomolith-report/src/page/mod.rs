@@ -327,8 +327,9 @@ fn surface(deviation: &Deviation, blobs: &mut Vec<(String, String)>) -> SurfaceI
 
 /// What readers without a script see.
 fn plain(data: &ReportData<'_>, lead: &str) -> String {
+    let evaluation = data.first().evaluation;
     let mut out = format!("<h1>{}</h1><p>{}</p>", escape(data.part), escape(lead));
-    for warning in data.warnings.iter().chain(&data.evaluation.notes) {
+    for warning in data.warnings.iter().chain(&evaluation.notes) {
         // Writing into a string cannot fail
         let _ = write!(out, "<p>{}</p>", escape(warning));
     }
@@ -336,7 +337,7 @@ fn plain(data: &ReportData<'_>, lead: &str) -> String {
     out.push_str("<table>");
     for (kind, value) in METRICS
         .iter()
-        .filter_map(|kind| Some((kind, data.evaluation.measures.get(kind.name)?)))
+        .filter_map(|kind| Some((kind, evaluation.measures.get(kind.name)?)))
     {
         let (title, value) = (escape(kind.title), significant(value, 4));
         let _ = write!(

@@ -3,7 +3,7 @@
 use super::blob::blocks;
 use crate::number::{escape, significant};
 use crate::picture::{Color, Picture, viridis};
-use crate::{OBSTACLE, ReportData};
+use crate::{OBSTACLE, ReportData, SpeciesReport};
 use std::fmt::Write as _;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::target::label;
@@ -25,8 +25,9 @@ const TOP: u8 = 254;
 
 /// The slice half way up the part, or the grid where nothing is part.
 fn middle(data: &ReportData<'_>) -> usize {
-    let [nz, ny, nx] = data.labels.grid.shape;
-    let has_part = |z: &usize| data.labels.values[z * ny * nx..][..ny * nx].contains(&label::PART);
+    let labels = data.first().labels;
+    let [nz, ny, nx] = labels.grid.shape;
+    let has_part = |z: &usize| labels.values[z * ny * nx..][..ny * nx].contains(&label::PART);
     let first = (0..nz).find(has_part);
     let last = (0..nz).rfind(has_part);
     first
@@ -36,7 +37,8 @@ fn middle(data: &ReportData<'_>) -> usize {
 
 /// Three pictures as HTML; nothing where there are no voxels.
 pub(super) fn slices(data: &ReportData<'_>) -> String {
-    let grid = &data.labels.grid;
+    let first = data.first();
+    let grid = &first.labels.grid;
     if grid.is_empty() {
         return String::new();
     }
@@ -58,7 +60,7 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     };
     let is_resin = |i: &usize| {
         let is_obstacle = data.bodies.is_some_and(|b| b.values[*i] == OBSTACLE);
-        data.labels.values[*i] != label::OUTSIDE && !is_obstacle
+        first.labels.values[*i] != label::OUTSIDE && !is_obstacle
     };
     let shade = |voxels: &mut dyn Iterator<Item = usize>, value_of: &dyn Fn(usize) -> f64| {
         let counted = voxels.filter(is_resin).map(value_of);
@@ -78,12 +80,9 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         };
         (0..=255).map(color_of).collect()
     };
-    let high = data.evaluation.histogram.range[1];
-    let inside = |i: usize| match data.inside {
-        Some(inside) => f64::from(inside.values[i]),
-        None => f64::from(u8::from(data.labels.values[i] == label::PART)),
-    };
-    let response = |i: usize| f64::from(data.response.values[i]);
+    let high = first.evaluation.histogram.range[1];
+    let inside = |i: usize| f64::from(first.inside.values[i]);
+    let response = |i: usize| f64::from(first.response.values[i]);
     let gray = colors(&|t| [122, 135, 151, 34 + (t * 156.0) as u8]);
     let pictures = [
         ("Target", draw(&gray, &|voxels| shade(voxels, &inside))),
@@ -96,7 +95,7 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         (
             "Error",
             draw(&FATES, &|voxels| {
-                voxels.map(|i| fate(data, i)).max().unwrap_or(0)
+                voxels.map(|i| fate(first, i)).max().unwrap_or(0)
             }),
         ),
     ];
@@ -113,21 +112,21 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
 }
 
 /// Which of [`FATES`] a voxel has; of a gray target, whether it lies beyond its band.
-fn fate(data: &ReportData<'_>, i: usize) -> u8 {
-    let response = f64::from(data.response.values[i]);
-    let is_part = match data.labels.values[i] {
+fn fate(print: &SpeciesReport<'_>, i: usize) -> u8 {
+    let response = f64::from(print.response.values[i]);
+    let is_part = match print.labels.values[i] {
         label::PART => true,
         label::VOID => false,
         _ => return 0,
     };
-    if let (Some(half_width), Some(wanted)) = (data.evaluation.half_width, data.inside) {
-        return match response - f64::from(wanted.values[i]) {
+    if let Some(half_width) = print.evaluation.half_width {
+        return match response - f64::from(print.inside.values[i]) {
             off if off > half_width => 4,
             off if off < -half_width => 3,
             _ => 1 + u8::from(is_part),
         };
     }
-    let is_solid = response > data.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
+    let is_solid = response > print.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
     match (is_part, is_solid) {
         (false, false) => 1,
         (true, true) => 2,

@@ -32,9 +32,10 @@ pub(super) struct Texts<'a> {
 
 impl<'a> Texts<'a> {
     pub(super) fn of(data: &'a ReportData<'a>) -> Self {
-        let print_time_mm = data.evaluation.measures.get("print_time_mm");
+        let evaluation = data.first().evaluation;
+        let print_time_mm = evaluation.measures.get("print_time_mm");
         Texts {
-            lead: spoiled(data) + &sentence(data.evaluation) + &first_of(data),
+            lead: spoiled(data) + &sentence(evaluation) + &first_of(data),
             print_time: time_sentence(print_time_mm, data.ceiling),
             facts: facts(data),
             exposure: exposures(data),
@@ -81,8 +82,9 @@ fn exposures(data: &ReportData<'_>) -> Vec<String> {
         };
         return data.species.iter().filter_map(sentence_of).collect();
     }
-    let iou = data.evaluation.measures.get("iou");
-    vec![match data.exposure {
+    let first = data.first();
+    let iou = first.evaluation.measures.get("iou");
+    vec![match &first.exposure {
         Some(window) => window.sentence(),
         None if iou.is_none_or(|iou| iou == 0.0) => {
             "No exposure is the best: nothing of the part prints at any threshold.".to_owned()
@@ -94,23 +96,17 @@ fn exposures(data: &ReportData<'_>) -> Vec<String> {
 }
 
 fn limits<'a>(data: &ReportData<'a>) -> Vec<Named<'a>> {
-    let named = |name, limits: &crate::PrintLimits| Named {
-        name,
-        sentence: limits.sentence.clone(),
+    let is_only = data.species.len() == 1;
+    let limits_of = |species: &SpeciesReport<'a>| Named {
+        name: if is_only { "" } else { species.name },
+        sentence: species.limits.sentence.clone(),
     };
-    match data.species.len() {
-        0 | 1 => vec![named("", data.limits)],
-        _ => (data.species.iter())
-            .map(|species| named(species.name, species.limits))
-            .collect(),
-    }
+    data.species.iter().map(limits_of).collect()
 }
 
 /// Which of several species the headline is about, and what all of them reach together.
 fn first_of(data: &ReportData<'_>) -> String {
-    let Some((first, others)) = data.species.split_first() else {
-        return String::new();
-    };
+    let (first, others) = (data.first(), &data.species[1..]);
     let Some(one) = data.one_exposure else {
         let sentence_of =
             |other: &SpeciesReport<'_>| format!(" {}: {}", other.name, sentence(other.evaluation));
@@ -133,7 +129,7 @@ fn first_of(data: &ReportData<'_>) -> String {
 
 /// What spoils the print comes first.
 fn spoiled(data: &ReportData<'_>) -> String {
-    let spoiled = data.limits.spoiled.as_ref();
+    let spoiled = data.first().limits.spoiled.as_ref();
     spoiled.map_or_else(String::new, |text| format!("{text} "))
 }
 

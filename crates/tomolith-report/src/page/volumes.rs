@@ -142,16 +142,8 @@ fn asked<'a>(
 /// The volumes of a report: of the only species, or of each.
 fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
     let mut all = Vec::new();
-    if data.species.is_empty() {
-        all.extend(
-            data.inside
-                .map(|inside| Source::new("target", None, "target", inside)),
-        );
-        all.push(Source::new("labels", None, "labels", data.labels));
-        all.push(Source::new("response", None, "dose", data.response));
-    }
     for species in &data.species {
-        let name = Some(species.name);
+        let name = Some(species.name).filter(|name| !name.is_empty());
         all.extend(asked(name, species.inside, species.labels));
         all.push(Source::new("response", name, "dose", species.response));
     }

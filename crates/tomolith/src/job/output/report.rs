@@ -66,7 +66,6 @@ pub(super) fn report(
         evaluated,
         ..
     } = done;
-    let first = evaluated.first();
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
     let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
     let found_ceiling = found_ceiling.map(|found| &found.report);
@@ -77,19 +76,12 @@ pub(super) fn report(
         is_toy: done.job.is_toy,
         facts: facts(done),
         models: made.models,
-        exposure: headline.exposures.first().and_then(Option::as_ref),
-        limits: &headline.limits[0],
         lights: lights(done, exposures.lights()),
-        labels: &first.fine.labels,
-        response: &first.response,
-        inside: Some(&first.fine.target.inside),
+        species: species(done, headline),
         bodies: evaluated.bodies.as_ref(),
-        window: window(done, resolved.first()),
-        evaluation: &first.evaluation,
-        optimization: first.optimization.as_ref(),
+        optimization: evaluated.first().optimization.as_ref(),
         objectives: &evaluated.objectives,
         published: published(done, exposures.lights())?,
-        species: species(done, headline),
         one_exposure: headline.one_exposure.as_ref(),
         time: time(done),
         one_moment: evaluated.in_time.as_ref().and_then(InTime::together),
@@ -173,26 +165,24 @@ fn window(done: &Done<'_>, species: &Species) -> Option<[f64; 2]> {
     goal_of(species, wider).thresholds()
 }
 
-/// What every species prints, where the job names some.
+/// What every species prints; the only one of a job that names none has no name.
 fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
     let Done {
         resolved,
         evaluated,
         ..
     } = done;
-    let Some(rows) = &resolved.mixing else {
-        return Vec::new();
-    };
     let judged = headline.exposures.iter().zip(&headline.limits);
     let prints = resolved.species.iter().zip(&evaluated.species);
-    let mut reports = Vec::with_capacity(rows.len());
-    for (((name, row), (species, print)), (exposure, limits)) in rows.iter().zip(prints).zip(judged)
-    {
+    let mut reports = Vec::with_capacity(resolved.species.len());
+    for (s, ((species, print), (exposure, limits))) in prints.zip(judged).enumerate() {
+        let row = resolved.mixing.as_ref().map(|rows| &rows[s]);
+        let (name, factors) = row.map_or(("", &[][..]), |(name, factors)| (name, factors));
         let light =
             |(light, &factor): (Option<&str>, &f64)| (light.unwrap_or_default().to_owned(), factor);
         reports.push(SpeciesReport {
             name,
-            driven_by: resolved.names_of_lights().zip(row).map(light).collect(),
+            driven_by: resolved.names_of_lights().zip(factors).map(light).collect(),
             evaluation: &print.evaluation,
             labels: &print.fine.labels,
             response: &print.response,
