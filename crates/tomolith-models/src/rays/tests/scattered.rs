@@ -7,15 +7,9 @@ use tomolith_core::near;
 /// A cube of resin's worth of voxels in a ball of light: all that is scattered is deposited or leaves.
 #[test]
 fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
-    use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
-    let mut light = light(4, 5, 9, 0.2);
-    light.resin.attenuation_per_mm = 0.3 + 0.8;
-    let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering::new(0.8, Rayleigh {}));
-    let params = monte_carlo::Params {
-        paths_per_pixel: 8,
-        ..monte_carlo::Params::default()
-    };
+    let smooth = monte_carlo::Params::default().smooth;
+    let (mut light, optics, mut params) = milk(&light(4, 5, 9, 0.2), None, smooth);
+    params.paths_per_pixel = 8;
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
     let build = |params: &monte_carlo::Params, light: &Light, grid: &VolumeGrid| {
         let (light, optics) = (std::slice::from_ref(light), std::slice::from_ref(&optics));
@@ -39,28 +33,22 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     let sum = |v: &Volume<f32>| v.values.iter().map(|&v| f64::from(v)).sum::<f64>();
     assert!((sum(&other) / sum(&wide) - 1.0).abs() < 0.02);
     // Reflections at the glass: still a pair, and more of the light stays in the resin
-    let mirrored = build(
-        &monte_carlo::Params {
-            reflections: true,
-            ..params.clone()
-        },
-        &light,
-        &grid,
-    );
+    let mirrored = monte_carlo::Params {
+        reflections: true,
+        ..params.clone()
+    };
+    let mirrored = build(&mirrored, &light, &grid);
     let found = check::model::model(&mirrored, 4).unwrap();
     assert!(found.adjoint_error < 1e-6, "{found:?}");
     let balance = mirrored.balance(0, 0);
     assert!((balance.total() - 1.0).abs() < 1e-9, "{balance:?}");
     assert!(balance.reflected == 0.0 && balance.absorbed > 1.02 * model.balance(0, 0).absorbed);
     // Paths are drawn anew after two iterations, and are the same again in the same round
-    let renewed = build(
-        &monte_carlo::Params {
-            renew: 2,
-            ..params.clone()
-        },
-        &light,
-        &grid,
-    );
+    let renewed = monte_carlo::Params {
+        renew: 2,
+        ..params.clone()
+    };
+    let renewed = build(&renewed, &light, &grid);
     let renewal = renewed.renewal().unwrap();
     let renew = |iteration| renewal.renew(iteration, &x, &Work::new()).unwrap();
     assert!(!renew(2) && renew(3));
@@ -236,26 +224,11 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
 
 #[test]
 fn scattered_light_is_an_exact_pair_with_cells_too() {
-    use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
     let [solid, _] = solids(&grid);
-    let mut light = light(4, 7, 11, 0.2);
-    light.resin.attenuation_per_mm = 0.6;
-    let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering::new(0.3, Rayleigh {}));
     let whole = |smooth| {
-        let params = monte_carlo::Params {
-            smooth,
-            ..monte_carlo::Params::default()
-        };
-        monte_carlo::model(
-            &GLASS,
-            &[light.clone()],
-            &[optics.clone()],
-            &params,
-            grid.clone(),
-        )
-        .unwrap()
+        let (light, optics, params) = milk(&light(4, 7, 11, 0.2), None, smooth);
+        monte_carlo::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap()
     };
     for smooth in [1, 3] {
         let mut x = whole(smooth).new_patterns().unwrap();
