@@ -9,55 +9,24 @@
 //! Dose and pullback enumerate the same entries, the first by voxel, the second sorted by sample.
 
 use super::number::Number;
-use super::resample::{Places, mirrored};
+use super::resample::mirrored;
 use super::sampling::Sampling;
+use super::spectrum::Windows;
+use super::{Entrance, Settings};
 use std::ops::Range;
 use tomolith_core::dose::waves::{Axis, Rotation};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
+use tomolith_optics::vial::Vial;
 
 /// Voxels along an edge of a tile.
 pub(super) const TILE: usize = 16;
 
-/// What the resin takes of light on its way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Uptake {
-    /// Dose per fluence.
-    pub(super) active: f64,
-    /// Total attenuation, 1/mm.
-    pub(super) attenuation: f64,
-    /// Radius of the resin where the way begins at its wall; None: it begins at a plane.
-    pub(super) wall: Option<f64>,
-    /// Depth of that plane, mm.
-    pub(super) entrance: f64,
-}
-
-impl Uptake {
-    /// Dose of a fluence of 1 at a depth and a lateral place, mm.
-    fn dose(&self, depth: f64, u: f64) -> f64 {
-        if self.attenuation == 0.0 {
-            return self.active;
-        }
-        let enter = self
-            .wall
-            .map_or(self.entrance, |r| -(r * r - u * u).max(0.0).sqrt());
-        self.active * (-self.attenuation * (depth - enter).max(0.0)).exp()
-    }
-}
-
 /// The turning voxels of one light.
 pub(super) struct FrameRotation {
-    /// Azimuths, `sub_angles` of each frame.
-    azimuths: Vec<f64>,
-    sub_angles: usize,
+    pub(super) data: Rotation,
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Whether a column of voxels lies in the resin.
-    in_resin: Vec<bool>,
-    uptake: Uptake,
-    focus: f64,
-    /// Lateral samples.
-    lateral: Places,
 }
 
 /// What one frame brings to the voxels of a tile.
@@ -74,58 +43,61 @@ pub(super) struct TileEntries<T> {
 }
 
 impl FrameRotation {
-    pub(super) fn new(
+    pub(super) fn new<T: Number>(
+        vial: &dyn Vial,
         light: &Light,
         grid: &VolumeGrid,
         in_resin: Vec<bool>,
-        uptake: Uptake,
-        focus: f64,
-        lateral: Places,
+        settings: &Settings,
+        windows: &Windows<T>,
     ) -> Self {
         let (pixels, sub_angles) = (&light.pixels, light.sub_angles);
         let [_, ny, nx] = grid.shape;
         let within = |sub: usize| (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
         let azimuths = pixels.azimuths.iter();
-        FrameRotation {
-            azimuths: azimuths
-                .flat_map(|a| (0..sub_angles).map(move |sub| a + within(sub) * pixels.frame_arc))
-                .collect(),
-            sub_angles,
-            x: (0..nx).map(|i| grid.x(i)).collect(),
-            y: (0..ny).map(|i| grid.y(i)).collect(),
-            in_resin,
-            uptake,
-            focus,
-            lateral,
-        }
-    }
-
-    /// The turning voxels as data.
-    pub(super) fn form(&self, sampling: &Sampling) -> Rotation {
-        let depths = sampling.along.last();
-        let along = Axis {
+        let (resin, wall) = (light.resin.uptake(), vial.resin_wall());
+        let Sampling { along, across, .. } = &windows.sampling;
+        let depths = along.last();
+        let places = Axis {
             from: depths.at(0),
             step: depths.step,
             count: depths.count,
         };
-        let Places { from, step, count } = self.lateral;
-        Rotation {
-            azimuths: self.azimuths.clone(),
-            sub_angles: self.sub_angles,
-            in_resin: self.in_resin.clone(),
-            focus: self.focus,
-            active: self.uptake.active,
-            attenuation: self.uptake.attenuation,
-            wall: self.uptake.wall,
-            entrance: self.uptake.entrance,
-            along: (along, sampling.along.taps.form()),
-            across: (Axis { from, step, count }, sampling.across.taps.form()),
+        let data = Rotation {
+            azimuths: azimuths
+                .flat_map(|a| (0..sub_angles).map(move |sub| a + within(sub) * pixels.frame_arc))
+                .collect(),
+            sub_angles,
+            in_resin,
+            focus: settings.focus_mm,
+            active: resin.active_per_mm,
+            attenuation: resin.attenuation_per_mm,
+            wall: (wall.as_circle()).filter(|_| settings.entrance == Entrance::Wall),
+            entrance: -wall.inscribed_radius(),
+            along: (places, along.taps.form()),
+            across: (windows.last, across.taps.form()),
+        };
+        FrameRotation {
+            data,
+            x: (0..nx).map(|i| grid.x(i)).collect(),
+            y: (0..ny).map(|i| grid.y(i)).collect(),
         }
+    }
+
+    /// Dose of a fluence of 1 at a depth and a lateral place, mm.
+    fn dose(&self, depth: f64, u: f64) -> f64 {
+        let data = &self.data;
+        if data.attenuation == 0.0 {
+            return data.active;
+        }
+        let at_wall = |r: f64| -(r * r - u * u).max(0.0).sqrt();
+        let enter = data.wall.map_or(data.entrance, at_wall);
+        data.active * (-data.attenuation * (depth - enter).max(0.0)).exp()
     }
 
     /// Columns of voxels in the resin.
     pub(super) fn columns(&self) -> usize {
-        self.in_resin.iter().filter(|r| **r).count()
+        self.data.in_resin.iter().filter(|r| **r).count()
     }
 
     /// Enumerates what a frame brings to a tile; its sample [k][j] is slot `first + k·width + j`.
@@ -142,14 +114,15 @@ impl FrameRotation {
         entries.starts.clear();
         entries.slots.clear();
         entries.weights.clear();
-        let subs = frame * self.sub_angles..(frame + 1) * self.sub_angles;
-        let turns: Vec<(f64, f64)> = self.azimuths[subs].iter().map(|a| a.sin_cos()).collect();
-        let share = 1.0 / self.sub_angles as f64;
-        let depths = sampling.along.last();
+        let data = &self.data;
+        let subs = frame * data.sub_angles..(frame + 1) * data.sub_angles;
+        let turns: Vec<(f64, f64)> = data.azimuths[subs].iter().map(|a| a.sin_cos()).collect();
+        let share = 1.0 / data.sub_angles as f64;
+        let (depths, lateral) = (sampling.along.last(), data.across.0);
         for iy in ys {
             for ix in xs.clone() {
                 let column = iy * self.x.len() + ix;
-                if !self.in_resin[column] {
+                if !data.in_resin[column] {
                     continue;
                 }
                 entries.voxels.push(column as u32);
@@ -157,13 +130,13 @@ impl FrameRotation {
                 for &(sin, cos) in &turns {
                     let depth = -(self.x[ix] * cos + self.y[iy] * sin);
                     let u = self.y[iy] * cos - self.x[ix] * sin;
-                    let weight = share * self.uptake.dose(depth, u);
-                    let place = depths.place((depth - self.focus).abs());
+                    let weight = share * self.dose(depth, u);
+                    let place = depths.place((depth - data.focus).abs());
                     let k0 = sampling.along.taps.at(place, &mut entries.along);
-                    let place = (u - self.lateral.from) / self.lateral.step;
+                    let place = (u - lateral.from) / lateral.step;
                     let j0 = sampling.across.taps.at(place, &mut entries.across);
                     for (k, a) in (k0..).zip(&entries.along) {
-                        let row = first + mirrored(k) * self.lateral.count;
+                        let row = first + mirrored(k) * lateral.count;
                         for (j, b) in (j0..).zip(&entries.across) {
                             entries.slots.push((row as i64 + j) as u32);
                             entries.weights.push(T::of(weight * a * b));

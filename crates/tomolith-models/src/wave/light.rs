@@ -334,7 +334,7 @@ impl<P: Propagation<f32>> WaveLight<f32, P> {
             forth,
             back,
             closer: self.resample.form(),
-            rotation: self.turn.form(&windows.sampling),
+            rotation: self.turn.data.clone(),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! The lights of a model, and how their samples lie on voxels: what does not depend on how light spreads.
 
+use super::Settings;
 use super::beam::Spreading;
-use super::frame_rotation::{FrameRotation, Uptake};
+use super::frame_rotation::FrameRotation;
 use super::light::{Propagation, SpreadingForm, WaveLight};
 use super::number::Number;
 use super::sampling::{Sampling, SamplingRequirements};
 use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
-use super::{Entrance, Settings};
 use crate::parallel::is_straight;
 use crate::{DoseLayout, DoseModel, PatternLayout, Work, ZCoupling};
 use std::ops::Range;
@@ -323,16 +323,7 @@ pub(super) fn turning<T: Number, P: Propagation<T>>(
     let [_, ny, nx] = grid.shape;
     let columns = ResinColumns::new(vial, grid);
     let windows = windows_of(light, beam, &columns, settings, grid)?;
-    let resin = light.resin.uptake();
-    let wall = vial.resin_wall().as_circle();
-    let uptake = Uptake {
-        active: resin.active_per_mm,
-        attenuation: resin.attenuation_per_mm,
-        wall: wall.filter(|_| settings.entrance == Entrance::Wall),
-        entrance: -vial.resin_wall().inscribed_radius(),
-    };
-    let (in_resin, focus) = (columns.in_resin, settings.focus_mm);
-    let turn = FrameRotation::new(light, grid, in_resin, uptake, focus, windows.last);
+    let turn = FrameRotation::new(vial, light, grid, columns.in_resin, settings, &windows);
     let propagation = propagate(windows);
     let light = WaveLight::new(propagation, turn, [nx, ny], layout.row, first_frame);
     Ok(light)

@@ -10,17 +10,7 @@
 use super::number::Number;
 use super::sampling::Sampling;
 use super::taps::Taps;
-use tomolith_core::dose::waves::{Interpolation, SparseRows};
-
-/// Where samples along u lie.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Places {
-    /// The first one, mm.
-    pub(super) from: f64,
-    /// Their distance, mm.
-    pub(super) step: f64,
-    pub(super) count: usize,
-}
+use tomolith_core::dose::waves::{Axis, Interpolation, SparseRows};
 
 /// Index of a depth: those before the focal plane are mirror images of those behind it.
 pub(super) fn mirrored(depth: i64) -> usize {
@@ -134,7 +124,7 @@ impl Resample<f32> {
 
 impl<T: Number> Resample<T> {
     /// `computed` and `last`: samples along u, before and after.
-    pub(super) fn new(sampling: &Sampling, computed: Places, last: Places) -> Self {
+    pub(super) fn new(sampling: &Sampling, computed: Axis, last: Axis) -> Self {
         let across = sampling.across.closer.as_ref().map(|(_, taps)| {
             let at = |i: usize| (last.from + i as f64 * last.step - computed.from) / computed.step;
             let places: Vec<f64> = (0..last.count).map(at).collect();

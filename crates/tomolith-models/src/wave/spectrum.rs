@@ -6,13 +6,12 @@
 
 use super::depth_interpolation::InterpolationBuffers;
 use super::number::Number;
-use super::resample::Places;
 use super::sampling::Sampling;
 use super::window::{Side, operations};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::waves::{Comb, Transforms};
+use tomolith_core::dose::waves::{Axis, Comb, Transforms};
 use tomolith_fourier::Complex;
 use tomolith_fourier::Fft;
 
@@ -27,7 +26,7 @@ pub(super) struct Windows<T: Number> {
     /// Lateral samples that are computed.
     samples: Range<i64>,
     /// Those that voxels are interpolated from.
-    pub(super) last: Places,
+    pub(super) last: Axis,
     /// First pixel along u, mm.
     from: f64,
     /// Sample of a voxel's height: first, and the way to the next, in a window of `heights.2`.
@@ -123,21 +122,21 @@ fn collect<T: Number>(line: &[Complex<T>], band: usize, to: &mut [Complex<T>]) {
 }
 
 /// Lateral samples that voxels are interpolated from, and the indices of those that are computed, counted from the first pixel.
-fn lateral(sampling: &Sampling, u: &Side) -> (Places, Range<i64>) {
+fn lateral(sampling: &Sampling, u: &Side) -> (Axis, Range<i64>) {
     let across = &sampling.across;
     let index = |mm: f64| (mm - u.from) / across.computed.step;
     let half = across.taps.taps as i64 / 2;
     let [low, high] = u.voxels_at(0.0);
     let Some((closer, taps)) = &across.closer else {
         let samples = index(low).floor() as i64 - half..index(high).ceil() as i64 + half + 1;
-        let last = Places {
+        let last = Axis {
             from: u.from + samples.start as f64 * across.computed.step,
             step: across.computed.step,
             count: (samples.end - samples.start) as usize,
         };
         return (last, samples);
     };
-    let last = Places {
+    let last = Axis {
         from: low - half as f64 * closer.step,
         step: closer.step,
         count: closer.count,
@@ -216,9 +215,9 @@ impl<T: Number> Windows<T> {
         (self.samples.end - self.samples.start) as usize
     }
 
-    pub(super) fn computed(&self) -> Places {
+    pub(super) fn computed(&self) -> Axis {
         let step = self.sampling.across.computed.step;
-        Places {
+        Axis {
             from: self.from + self.samples.start as f64 * step,
             step,
             count: self.width(),
