@@ -3,7 +3,7 @@
 use crate::PatternLayout;
 use crate::cell_blur::CellBlur;
 use std::ops::Range;
-use tomolith_core::dose::scattered;
+use tomolith_core::dose::scattered::{self, Share};
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
@@ -13,15 +13,7 @@ pub(super) struct Bins {
     pixels: PatternLayout,
     /// The larger pixels: as many rows of each (frame, column), from the lowest lit one.
     pub(super) layout: PatternLayout,
-    columns: Vec<Share>,
-    rows: Vec<Share>,
-}
-
-/// The two bins that share a pixel: the first of them, and its part; the next one has the rest.
-#[derive(Clone, Copy, Debug)]
-struct Share {
-    bin: usize,
-    parts: [f32; 2],
+    shares: scattered::Bins,
 }
 
 /// Bins of `factor` pixels along an axis of `count`, centered on it like the pixels.
@@ -35,7 +27,7 @@ fn shares(count: usize, factor: usize) -> (usize, Vec<Share>) {
         let room = 2 * factor * (bin + 1) - low;
         let in_first = room.min(2) as f32 / 2.0;
         Share {
-            bin,
+            bin: bin as u32,
             parts: [in_first, 1.0 - in_first],
         }
     };
@@ -54,9 +46,9 @@ impl Bins {
         let (rows, of_row) = shares(grid.rows, along);
         // Rows are counted from below, and the shares are symmetric
         let lit = lit_rows(&pixels).map_or(0..0, |lit| {
-            of_row[lit.start].bin..(of_row[lit.end - 1].bin + 2).min(rows)
+            of_row[lit.start].bin..(of_row[lit.end - 1].bin + 2).min(rows as u32)
         });
-        let active = (lit.start as u32, lit.len() as u32);
+        let active = (lit.start, lit.end - lit.start);
         let larger = PatternGrid {
             columns,
             rows,
@@ -71,11 +63,16 @@ impl Bins {
             pixels: larger,
             ..light.clone()
         };
-        let bins = Bins {
-            layout: light.layout(0),
-            pixels,
+        let layout = light.layout(0);
+        let shares = scattered::Bins {
             columns: of_column,
             rows: of_row,
+            scale: (grid.pixel_mm2() / layout.grid.pixel_mm2()) as f32,
+        };
+        let bins = Bins {
+            layout,
+            pixels,
+            shares,
         };
         (bins, light)
     }
@@ -95,25 +92,12 @@ impl Bins {
     }
 
     pub(super) fn form(&self) -> scattered::Bins {
-        let share = |share: &Share| scattered::Share {
-            bin: share.bin as u32,
-            parts: share.parts,
-        };
-        scattered::Bins {
-            columns: self.columns.iter().map(share).collect(),
-            rows: self.rows.iter().map(share).collect(),
-            scale: self.scale(),
-        }
+        self.shares.clone()
     }
 
     /// What becomes of pixels that are taken together.
     pub(super) fn blur(&self) -> CellBlur {
         CellBlur::bins(self.pixels.grid.pitch_mm, self.layout.grid.pitch_mm)
-    }
-
-    /// Value of a bin per value of a pixel that lies in it.
-    fn scale(&self) -> f32 {
-        (self.pixels.grid.pixel_mm2() / self.layout.grid.pixel_mm2()) as f32
     }
 
     fn lit_rows(&self) -> Range<usize> {
@@ -124,10 +108,10 @@ impl Bins {
     /// Every pixel of a (frame, column), counted from its first, with the rows that share it, counted from the lowest lit one, and their parts.
     fn for_each_part(&self, slot: usize, mut visit: impl FnMut(usize, usize, f32)) {
         let (run, lowest) = (self.pixels.runs[slot], self.lit_rows().start);
-        let rows = &self.rows[run.bottom as usize..][..run.count as usize];
+        let rows = &self.shares.rows[run.bottom as usize..][..run.count as usize];
         for (pixel, share) in rows.iter().enumerate() {
             for (next, part) in lit_parts(*share) {
-                visit(pixel, share.bin + next - lowest, part);
+                visit(pixel, share.bin as usize + next - lowest, part);
             }
         }
     }
@@ -135,9 +119,9 @@ impl Bins {
     /// The bins that share a (frame, column), from the lowest lit one on, and their parts.
     fn bins_of(&self, slot: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
         let (columns, larger) = (self.pixels.grid.columns, self.layout.grid.columns);
-        let share = self.columns[slot % columns];
+        let share = self.shares.columns[slot % columns];
         lit_parts(share).map(move |(next, part)| {
-            let run = self.layout.runs[slot / columns * larger + share.bin + next];
+            let run = self.layout.runs[slot / columns * larger + share.bin as usize + next];
             (run.offset..run.offset + run.count as usize, part)
         })
     }
@@ -166,7 +150,7 @@ impl Bins {
     /// Bins of mean values of pixels by [rows](Self::in_rows), these times the weight of their (frame, column).
     pub(super) fn fill(&self, rows: &[f32], weights: &[f32], bins: &mut [f32]) {
         let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
-        let (scale, count) = (self.scale(), self.lit_rows().len());
+        let (scale, count) = (self.shares.scale, self.lit_rows().len());
         let len = self.layout.len() / frames;
         let of_frames = bins.chunks_mut(len.max(1)).enumerate();
         of_frames.par_each(|(frame, bins)| {
@@ -192,7 +176,7 @@ impl Bins {
         rows: &mut [f32],
     ) {
         let columns = self.pixels.grid.columns;
-        let (scale, count) = (self.scale(), self.lit_rows().len());
+        let (scale, count) = (self.shares.scale, self.lit_rows().len());
         let of_frames = rows.chunks_mut((count * columns).max(1)).enumerate();
         let of_frames: Vec<_> = of_frames
             .filter(|(frame, _)| frames.contains(frame))
@@ -212,16 +196,10 @@ impl Bins {
     /// Transpose of [`in_rows`](Self::in_rows), added to the pixels of some frames; `x` has those of all.
     pub(super) fn add_rows(&self, frames: Range<usize>, rows: &[f32], x: &mut [f32]) {
         let (columns, count) = (self.pixels.grid.columns, self.lit_rows().len());
-        let mut by_frame = Vec::with_capacity(frames.len());
-        let mut x = &mut x[self.pixels.elements_of(frames.clone())];
-        for frame in frames {
-            let runs = &self.pixels.runs[frame * columns..(frame + 1) * columns];
-            let len = runs.iter().map(|run| run.count as usize).sum();
-            let (pixels, rest) = x.split_at_mut(len);
-            by_frame.push((frame, runs[0].offset, pixels));
-            x = rest;
-        }
-        by_frame.into_iter().par_each(|(frame, first, pixels)| {
+        let x = &mut x[self.pixels.elements_of(frames.clone())];
+        let by_frame = self.pixels.split_frames(frames, x);
+        by_frame.into_iter().par_each(|(frame, pixels)| {
+            let first = self.pixels.runs[frame * columns].offset;
             for slot in frame * columns..(frame + 1) * columns {
                 let rows = &rows[slot * count..][..count];
                 let pixels = &mut pixels[self.pixels.runs[slot].offset - first..];
@@ -283,11 +261,15 @@ mod tests {
     fn a_pixel_astride_two_bins_is_shared_by_its_length_in_each() {
         let (bins, shares) = shares(5, 2);
         assert_eq!(bins, 3);
-        let parts: Vec<(usize, [f32; 2])> = shares.iter().map(|s| (s.bin, s.parts)).collect();
+        let parts: Vec<(u32, [f32; 2])> = shares.iter().map(|s| (s.bin, s.parts)).collect();
         let (whole, half) = ([1.0, 0.0], [0.5, 0.5]);
         // Bins that end with the pixels have nothing beyond
         let (bins, shares) = super::shares(12, 3);
-        assert!(shares.iter().all(|s| s.parts == whole && s.bin < bins));
+        assert!(
+            shares
+                .iter()
+                .all(|s| s.parts == whole && (s.bin as usize) < bins)
+        );
         assert_eq!(
             parts,
             [(0, whole), (0, half), (1, whole), (1, half), (2, whole)]

@@ -9,7 +9,7 @@ use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use crate::{DoseLayout, Work};
 use std::sync::Arc;
-use tomolith_core::dose::scattered::{self, LaterOrders, OnCells};
+use tomolith_core::dose::scattered::{LaterOrders, Moment, OnCells};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -44,15 +44,6 @@ pub(super) struct HigherOrders {
     weights: Vec<f32>,
 }
 
-/// A moment of scattered light.
-struct Moment {
-    harmonic: Harmonic,
-    /// μ_s·f_l, 1/mm.
-    scattered: f32,
-    /// Of unscattered light: the channel that tells it, and its scattered part of that field; None where it is 0.
-    straight: Option<(usize, f32)>,
-}
-
 /// Fields of all moments.
 type Moments = Vec<Vec<f32>>;
 
@@ -75,27 +66,24 @@ impl HigherOrders {
             mu: scattering.light.resin.attenuation_per_mm,
             edge: grid.pitch_mm,
         };
-        let moments: Vec<Moment> = delta_scaled
-            .harmonics()
-            .into_iter()
-            .map(|harmonic| {
-                let scattered =
-                    (delta_scaled.per_mm * delta_scaled.coefficients[harmonic.l]) as f32;
-                let weight_of = |(i, channel): (usize, &Channel)| {
-                    let weight = channel.weight(harmonic)?;
-                    Some((i, scattered * weight as f32))
-                };
-                Moment {
-                    harmonic,
-                    scattered,
-                    straight: channels.iter().enumerate().find_map(weight_of),
-                }
-            })
-            .collect();
+        let harmonics = delta_scaled.harmonics();
+        let moment = |&harmonic: &Harmonic| {
+            // μ_s·f_l, and what of it a channel of unscattered light tells
+            let scattered = (delta_scaled.per_mm * delta_scaled.coefficients[harmonic.l]) as f32;
+            let weight_of = |(i, channel): (usize, &Channel)| {
+                let weight = channel.weight(harmonic)?;
+                Some((i, scattered * weight as f32))
+            };
+            Moment {
+                scattered,
+                channel: channels.iter().enumerate().find_map(weight_of),
+            }
+        };
+        let moments: Vec<Moment> = harmonics.iter().map(moment).collect();
         let mut patterns = Vec::new();
-        for (i, a) in moments.iter().enumerate() {
-            for b in &moments[i..] {
-                patterns.push(Pattern(vec![(1.0, a.harmonic, b.harmonic)]));
+        for (i, &a) in harmonics.iter().enumerate() {
+            for &b in &harmonics[i..] {
+                patterns.push(Pattern(vec![(1.0, a, b)]));
             }
         }
         let octants = free_flight.octants(&patterns, [nx, ny, nz], work)?;
@@ -131,17 +119,13 @@ impl HigherOrders {
 
     /// These orders as data.
     pub(super) fn form(&self) -> LaterOrders {
-        let moment = |moment: &Moment| scattered::Moment {
-            scattered: moment.scattered,
-            channel: moment.straight,
-        };
         let sharpen = [&self.given, &self.seen];
         LaterOrders {
             cells: on_cells(&self.coarse, &self.convolver, sharpen, &self.kernels),
             factor: self.factor,
             between: self.between.strength(),
             resin: self.resin.clone(),
-            moments: self.moments.iter().map(moment).collect(),
+            moments: self.moments.clone(),
             weights: self.weights.iter().map(|w| w * FLUENCE).collect(),
         }
     }
@@ -280,7 +264,7 @@ impl HigherOrders {
             .moments
             .iter()
             .map(|moment| {
-                let Some((channel, weight)) = moment.straight else {
+                let Some((channel, weight)) = moment.channel else {
                     return self.no_spectrum();
                 };
                 let field: Vec<f32> = fields[channel].iter().map(|v| weight * v).collect();
@@ -394,7 +378,7 @@ impl Back<'_> {
         let higher = self.higher;
         let mut sum = vec![0.0; higher.coarse.layout.len()];
         for (moment, field) in higher.moments.iter().zip(&self.moments) {
-            if let Some((_, weight)) = moment.straight.filter(|(source, _)| *source == channel) {
+            if let Some((_, weight)) = moment.channel.filter(|(source, _)| *source == channel) {
                 sum.iter_mut()
                     .zip(field)
                     .for_each(|(sum, value)| *sum += weight * value);
