@@ -1,16 +1,10 @@
 //! Doses and adjoints of rays on a card beside those of the processor.
 
-mod common;
-#[path = "common/models.rs"]
-mod models;
-#[path = "common/portable.rs"]
-mod portable;
-#[path = "common/scene.rs"]
-mod scene;
-
-use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, noise_of, some_dark, with_dark_ends};
-use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square};
+use crate::common::{SMALL, gpu, smaller};
+use crate::scene::{
+    Case, assert_doses_and_pullbacks, assert_near, assert_one_matrix, assert_portable_kernels,
+    assert_too_large, cone, glass, pixels, square, with_dark_ends,
+};
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
@@ -21,31 +15,17 @@ use tomolith_core::kind::Section;
 use tomolith_gpu::model_on;
 use tomolith_models::rays::accumulation::Accumulation;
 use tomolith_models::rays::{Optics, Params, Rays};
-use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose};
 use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::projector::diverging::Diverging;
 use tomolith_optics::resin::Resin;
-use tomolith_optics::vial::Vial;
 use tomolith_optics::vial::index_matched::IndexMatched;
 use tomolith_target::phantom::Phantom;
 use tomolith_target::{Placement, Shape};
 
 /// Bindings of all voxels of a case, but not of its cells.
 const CELLS: u64 = 84 << 10;
-
-/// A model of a vial, its lights and voxels.
-struct Case {
-    name: &'static str,
-    params: Params,
-    vial: Box<dyn Vial>,
-    lights: Vec<Light>,
-    optics: Vec<Optics>,
-    grid: VolumeGrid,
-    /// What cuts voxels.
-    solid: Option<Arc<dyn Shape>>,
-}
 
 /// A full turn of frames whose pixels are not all active.
 fn light(frames: usize, absorption_per_mm: f64) -> Light {
@@ -63,15 +43,11 @@ fn ball() -> Arc<dyn Shape> {
     Arc::new(Phantom::build(&section, &placement, "target").unwrap())
 }
 
-fn cases() -> Vec<Case> {
-    let case = |name, vial, light, optics| Case {
-        name,
-        params: Params::default(),
-        vial,
-        lights: vec![light],
-        optics: vec![optics],
-        grid: VolumeGrid::centered([18, 25, 26], 0.09),
-        solid: None,
+fn cases() -> Vec<Case<Params>> {
+    let case = |name, vial, light, optics| {
+        let grid = VolumeGrid::centered([18, 25, 26], 0.09);
+        let params = Params::default();
+        Case::new(name, params, vial, vec![light], vec![optics], grid)
     };
     let off_axis = Optics {
         motion: Motion {
@@ -150,6 +126,7 @@ fn cases() -> Vec<Case> {
         },
         Case {
             solid: Some(ball()),
+            binding: CELLS,
             ..case("surface cells", glass(), light(4, 0.3), cone())
         },
         case("an absorption map", glass(), uneven, cone()),
@@ -162,17 +139,7 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-impl Case {
-    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-        let (lights, optics) = (&self.lights, &self.optics);
-        let scene = OpticalScene {
-            solid: self.solid.as_ref(),
-            ..OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe)
-        };
-        let work = Work::new();
-        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
-    }
-
+impl Case<Params> {
     /// Every ray by itself: those of columns share the shares of slices, which are right to 1e-5.
     fn host(&self) -> Rays {
         let lights = self.lights.clone();
@@ -185,20 +152,14 @@ impl Case {
         }
     }
 
-    /// The smallest bindings that it fits.
-    fn binding(&self) -> u64 {
-        self.solid.as_ref().map_or(SMALL, |_| CELLS)
-    }
-
     fn form(&self) -> Form {
-        self.with(|input| self.params.form(input).unwrap().unwrap())
+        self.form_of(&self.params).unwrap()
     }
 }
 
 /// In the mean within 1e-5, and 3e-5 where cells are small parts of voxels. A face along which a ray hardly slants is crossed δ/slope early or late, where coordinates are wrong by δ: on the processor
 /// 1e-6 of a voxel in these grids, too; so single values may differ by more.
-fn assert_alike(found: &HostField, expected: &HostField, case: &Case) {
-    let (found, expected) = (found.as_slice(), expected.as_slice());
+fn assert_alike(found: &[f32], expected: &[f32], case: &Case<Params>) {
     assert_near(found, expected, 5e-5, case.name);
     let difference = check::difference(found, expected);
     let allowed = if case.solid.is_some() { 3e-5 } else { 1e-5 };
@@ -210,7 +171,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
     // Small bindings, and those that every card has
     for most in [SMALL, 128 << 20] {
         for case in cases() {
-            let Some(gpu) = gpu(most.max(case.binding())) else {
+            let Some(gpu) = gpu(most.max(case.binding)) else {
                 return;
             };
             let host: &dyn DoseModel<Field = HostField> = &case.host();
@@ -220,23 +181,15 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let updates = card.updates() as f64 / host.updates() as f64;
             assert!((updates - 1.0).abs() < 1e-3, "{}: {updates}", case.name);
             // Of either sign, as a search has them
-            for x in [
+            let (noisy, even) = (
                 check::noisy_patterns(host, 1),
                 check::even_patterns(host, 1.0),
-            ] {
-                let [expected, found] = [host, card].map(|model| check::dose(model, &x));
-                assert_alike(&found, &expected, &case);
-                let [expected, found] = [host, card].map(|model| {
-                    let mut dose = model.new_dose().unwrap();
-                    dose.fill(0.25);
-                    model.dose_of(1..3, &x, &mut dose, &Work::new()).unwrap();
-                    dose
+            );
+            for x in [noisy, even] {
+                assert_doses_and_pullbacks([host, card], &x, 1..3, |found, expected| {
+                    assert_alike(found, expected, &case);
                 });
-                assert_alike(&found, &expected, &case);
             }
-            let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
-            let [expected, found] = [host, card].map(|model| check::adjoint(model, &cotangent));
-            assert_alike(&found, &expected, &case);
         }
     }
 }
@@ -244,11 +197,8 @@ fn doses_and_adjoints_are_those_of_the_processor() {
 #[test]
 fn dose_and_adjoint_on_the_card_are_one_matrix() {
     for case in cases() {
-        let Some(gpu) = gpu(case.binding()) else {
-            return;
-        };
-        let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
-        let dark = some_dark(pixels);
+        let Some(gpu) = gpu(case.binding) else { return };
+        let dark = case.some_dark();
         let form = case.form().masked(&dark, 0.7);
         let model = &*model_on(&gpu, &form, &Work::new()).unwrap();
         assert_one_matrix(model, &dark, 1e-6, case.name);
@@ -289,11 +239,9 @@ fn every_ray_of_a_pixel_with_many_is_followed() {
     let host: &dyn DoseModel<Field = HostField> = &case.host();
     let card = gpu.model(&case.form(), &Work::new()).unwrap().unwrap();
     let x = check::even_patterns(host, 1.0);
-    let [expected, found] = [host, &*card].map(|model| check::dose(model, &x));
-    assert_alike(&found, &expected, &case);
-    let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
-    let [expected, found] = [host, &*card].map(|model| check::adjoint(model, &cotangent));
-    assert_alike(&found, &expected, &case);
+    assert_doses_and_pullbacks([host, &*card], &x, 1..2, |found, expected| {
+        assert_alike(found, expected, &case);
+    });
 }
 
 #[test]
@@ -314,7 +262,7 @@ fn what_is_no_number_leaves_no_number() {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let Some(gpu) = gpu(CELLS) else { return };
-    let forms: Vec<Form> = cases().iter().map(Case::form).collect();
+    let forms: Vec<Form> = cases().iter().map(|case| case.form()).collect();
     let names = ["dose of rays", "sums of rays in cells", "adjoint of rays"];
     assert_portable_kernels(&gpu, &forms, &names);
 }
@@ -330,5 +278,5 @@ fn what_does_not_fit_is_refused_and_what_is_random_has_no_form() {
         accumulation: Accumulation::Simple,
         ..Params::default()
     };
-    assert!(case.with(|input| random.form(input).unwrap()).is_none());
+    assert!(case.form_of(&random).is_none());
 }

@@ -1,18 +1,15 @@
 //! Waves and incoherent cones on a card beside those of the processor.
 
-mod common;
-#[path = "common/portable.rs"]
-mod portable;
-
-use common::{SMALL, gpu};
-use portable::assert_portable;
+use crate::common::{SMALL, gpu};
+use crate::portable::assert_portable;
+use crate::scene::{assert_doses_and_pullbacks, assert_near, noise_of, pullback, some_dark};
 use std::collections::BTreeMap;
-use tomolith_core::check::{self, noise};
+use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::waves::{Transfer, WaveLight};
-use tomolith_core::dose::{Accelerator, DoseLayout, Work};
+use tomolith_core::dose::{Accelerator, Work};
 use tomolith_core::error::Error;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::HostModel;
@@ -158,34 +155,6 @@ impl Case {
     }
 }
 
-/// Noise on the voxels of a dose, 0 in what fills up its rows.
-fn noise_of(layout: &DoseLayout, seed: u64) -> HostField {
-    let mut values = noise(seed, layout.len());
-    let nz = layout.grid.shape[0];
-    let rows = values.chunks_mut(layout.row);
-    rows.for_each(|row| row[nz..].fill(0.0));
-    HostField::from_slice(&values)
-}
-
-fn pullback(model: &HostModel, x: &HostField, cotangent: &HostField) -> HostField {
-    let mut grad = model.new_patterns().unwrap();
-    model
-        .pullback(x, cotangent, &mut grad, &Work::new())
-        .unwrap();
-    grad
-}
-
-fn assert_near(found: &HostField, expected: &HostField, tolerance: f64, what: &str) {
-    let most = f64::from(expected.max_abs());
-    let mut off = found.clone();
-    off.axpy(-1.0, expected);
-    let error = f64::from(off.max_abs());
-    assert!(
-        most > 0.0 && error <= tolerance * most,
-        "{what}: {error} of {most}"
-    );
-}
-
 #[test]
 fn cases_have_all_that_a_form_may_have() {
     let lights = |case: Case| match case.form() {
@@ -217,21 +186,12 @@ fn doses_pullbacks_and_lines_are_those_of_the_processor() {
         let (name, work) = (case.name, Work::new());
         let models = [&case.host, &case.on(&gpu)];
         let [x, d] = [1, 2].map(|seed| check::noisy_patterns(&**models[0], seed));
-        let cotangent = noise_of(&models[0].outputs()[0], 3);
-        let [expected, found] = models.map(|model| check::dose(&**model, &x));
-        assert_near(&found, &expected, 1e-5, name);
-        let [expected, found] = models.map(|model| {
-            let mut dose = model.new_dose().unwrap();
-            model.dose_of(1..3, &x, &mut dose, &work).unwrap();
-            dose
-        });
-        assert_near(&found, &expected, 1e-5, name);
-        let [expected, found] = models.map(|model| pullback(model, &x, &cotangent));
-        assert_near(&found, &expected, 1e-5, name);
+        let alike = |found: &[f32], expected: &[f32]| assert_near(found, expected, 1e-5, name);
+        assert_doses_and_pullbacks(models.map(|model| &**model), &x, 1..3, alike);
         let [expected, found] = models.map(|model| model.along(&x, &d, &work).unwrap().unwrap());
         assert_eq!(found.len(), expected.len());
         for (found, expected) in found.iter().zip(&expected) {
-            assert_near(found, expected, 1e-5, name);
+            alike(found.as_slice(), expected.as_slice());
         }
     }
 }
@@ -250,7 +210,7 @@ fn the_pullback_is_the_derivative_and_the_line_is_exact() {
         };
         // The central difference of a quadratic is its slope, whatever the step
         let [less, here, more] = [-1.0, 0.0, 1.0].map(at);
-        let slope = pullback(&model, &x, &cotangent).dot(&d);
+        let slope = pullback(&*model, &x, &cotangent).dot(&d);
         let difference = 0.5 * (more.dot(&cotangent) - less.dot(&cotangent));
         let size = more.norm() * cotangent.norm();
         let error = (slope - difference).abs() / size;
@@ -262,7 +222,7 @@ fn the_pullback_is_the_derivative_and_the_line_is_exact() {
         let terms = model.along(&x, &d, &Work::new()).unwrap().unwrap();
         let mut sum = here;
         terms.iter().for_each(|term| sum.axpy(1.0, term));
-        assert_near(&sum, &more, 2e-6, case.name);
+        assert_near(sum.as_slice(), more.as_slice(), 2e-6, case.name);
     }
 }
 
@@ -271,7 +231,7 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
     for case in cases().into_iter().step_by(7) {
         let Some(gpu) = gpu(case.binding) else { return };
         let pixels = case.host.new_patterns().unwrap().len();
-        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let dark = some_dark(pixels);
         let host: HostModel = Box::new(MaskedModel::new(case.host, dark, 0.49));
         let card = gpu
             .model(&host.form().unwrap(), &Work::new())
@@ -279,10 +239,9 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
             .unwrap();
         let x = check::noisy_patterns(&*host, 1);
         let cotangent = noise_of(&host.outputs()[0], 2);
-        let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
-        assert_near(&found, &expected, 1e-5, case.name);
-        let [expected, found] = [&host, &card].map(|model| pullback(model, &x, &cotangent));
-        assert_near(&found, &expected, 1e-5, case.name);
+        let alike = |found: &[f32], expected: &[f32]| assert_near(found, expected, 1e-5, case.name);
+        assert_doses_and_pullbacks([&*host, &*card], &x, 1..3, alike);
+        let found = pullback(&*card, &x, &cotangent);
         // The same bits again, of another model of the form with fields of the card
         let again = model_on(&gpu, &host.form().unwrap(), &Work::new()).unwrap();
         let mut there = again.new_patterns().unwrap();
@@ -291,7 +250,7 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
         let dose = check::dose(&*again, &there).to_host();
         assert_eq!(bits(&dose), bits(check::dose(&*card, &x).as_slice()));
         assert_eq!(
-            bits(pullback(&card, &x, &cotangent).as_slice()),
+            bits(pullback(&*card, &x, &cotangent).as_slice()),
             bits(found.as_slice())
         );
     }
@@ -305,7 +264,7 @@ fn kernels_are_those_of_other_interfaces_too() {
         let model = case.on(&gpu);
         let x = check::noisy_patterns(&*model, 1);
         let dose = check::dose(&*model, &x);
-        pullback(&model, &x, &dose);
+        pullback(&*model, &x, &dose);
         model.along(&x, &x, &Work::new()).unwrap();
         sources.extend(gpu.sources());
     }

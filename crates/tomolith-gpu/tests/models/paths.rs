@@ -1,16 +1,10 @@
 //! Random paths of scattered light on a card beside those of the processor.
 
-mod common;
-#[path = "common/models.rs"]
-mod models;
-#[path = "common/portable.rs"]
-mod portable;
-#[path = "common/scene.rs"]
-mod scene;
-
-use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, some_dark, with_dark_ends};
-use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square};
+use crate::common::{SMALL, gpu, smaller};
+use crate::scene::{
+    Case, assert_near, assert_one_matrix, assert_portable_kernels, assert_too_large, cone, glass,
+    pixels, scattering, square, with_dark_ends,
+};
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseLayout, Work};
@@ -21,28 +15,16 @@ use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::monte_carlo::{self, Params};
 use tomolith_models::rays::accumulation::Accumulation;
 use tomolith_models::rays::{Optics, Rays};
-use tomolith_models::{HostModel, ModelFamily, ModelInput, OpticalScene, Purpose};
+use tomolith_models::{HostModel, Purpose};
 use tomolith_optics::light::Light;
+use tomolith_optics::phase::Phase;
 use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::isotropic::Isotropic;
 use tomolith_optics::phase::rayleigh::Rayleigh;
-use tomolith_optics::phase::{Phase, Scattering};
 use tomolith_optics::resin::Resin;
-use tomolith_optics::vial::Vial;
 use tomolith_optics::vial::double_tube::DoubleTube;
 use tomolith_optics::vial::ended::{End, Ended};
 use tomolith_optics::vial::index_matched::IndexMatched;
-
-/// A model of a vial, its lights and voxels.
-struct Case {
-    name: &'static str,
-    params: Params,
-    vial: Box<dyn Vial>,
-    lights: Vec<Light>,
-    optics: Vec<Optics>,
-    grid: VolumeGrid,
-    purpose: Purpose,
-}
 
 /// What scatters, 1/mm, in resin that absorbs 0.1/mm.
 const MILK: f64 = 0.6;
@@ -53,23 +35,23 @@ fn light(frames: usize) -> Light {
     with_dark_ends(light)
 }
 
-fn scattering(optics: Optics, phase: impl Phase + 'static) -> Optics {
-    Optics {
-        scattering: Some(Scattering::new(MILK, phase)),
-        ..optics
-    }
+/// Level light, scattered by such resin.
+fn milk(phase: impl Phase + 'static) -> Optics {
+    scattering(phase, MILK)
 }
 
-fn cases() -> Vec<Case> {
-    let level = || Optics::collimated(0.1);
-    let case = |name, vial, optics| Case {
-        name,
-        params: Params::default(),
-        vial,
-        lights: vec![light(4)],
-        optics: vec![optics],
-        grid: VolumeGrid::centered([18, 25, 26], 0.09),
-        purpose: Purpose::Optimize,
+fn cases() -> Vec<Case<Params>> {
+    let case = |name, vial, optics| {
+        let grid = VolumeGrid::centered([18, 25, 26], 0.09);
+        let (params, lights) = (Params::default(), vec![light(4)]);
+        Case {
+            purpose: Purpose::Optimize,
+            ..Case::new(name, params, vial, lights, vec![optics], grid)
+        }
+    };
+    let foggy = Optics {
+        projector: cone().projector,
+        ..milk(Isotropic {})
     };
     let plate = End {
         z_mm: Mm(-0.6),
@@ -89,9 +71,9 @@ fn cases() -> Vec<Case> {
         case(
             "forward light in glass",
             glass(),
-            scattering(level(), HenyeyGreenstein { g: 0.7 }),
+            milk(HenyeyGreenstein { g: 0.7 }),
         ),
-        case("a cone", matched(), scattering(cone(), Isotropic {})),
+        case("a cone", matched(), foggy),
         Case {
             lights: vec![Light {
                 sub_angles: 3,
@@ -100,22 +82,26 @@ fn cases() -> Vec<Case> {
             ..case(
                 "turning frames of a square vial",
                 square(),
-                scattering(level(), Rayleigh {}),
+                milk(Rayleigh {}),
             )
         },
         case(
             "a vial with ends",
             Box::new(ended),
-            scattering(level(), HenyeyGreenstein { g: -0.3 }),
+            milk(HenyeyGreenstein { g: -0.3 }),
         ),
         Case {
             lights: vec![light(3), clear, light(2)],
             optics: vec![
-                scattering(level().tilted(0.1), Rayleigh {}),
-                level(),
-                scattering(level(), Isotropic {}),
+                milk(Rayleigh {}).tilted(0.1),
+                Optics::collimated(0.1),
+                milk(Isotropic {}),
             ],
-            ..case("three lights, one of them clear", matched(), level())
+            ..case(
+                "three lights, one of them clear",
+                matched(),
+                Optics::collimated(0.1),
+            )
         },
         Case {
             purpose: Purpose::Evaluate { refine: 1 },
@@ -124,28 +110,14 @@ fn cases() -> Vec<Case> {
                 least_power: 0.3,
                 ..Params::default()
             },
-            ..case("sharpened cells", glass(), scattering(level(), Rayleigh {}))
+            ..case("sharpened cells", glass(), milk(Rayleigh {}))
         },
     ]
 }
 
-impl Case {
-    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-        let scene = OpticalScene::new(&*self.vial, &self.lights, &self.optics, self.purpose);
-        let work = Work::new();
-        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
-    }
-
-    fn host(&self, params: &Params) -> HostModel {
-        self.with(|input| params.build(input).unwrap())
-    }
-
-    fn form(&self, params: &Params) -> Option<Form> {
-        self.with(|input| params.form(input).unwrap())
-    }
-
+impl Case<Params> {
     fn card(&self, gpu: &Gpu, params: &Params) -> HostModel {
-        let form = self.form(params).unwrap();
+        let form = self.form_of(params).unwrap();
         gpu.model(&form, &Work::new()).unwrap().unwrap()
     }
 
@@ -166,10 +138,9 @@ fn small() -> Option<Gpu> {
 fn dose_and_adjoint_on_the_card_are_one_matrix_of_a_seed() {
     for case in cases() {
         let Some(gpu) = small() else { return };
-        let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
-        let dark = some_dark(pixels);
+        let dark = case.some_dark();
         let model_of = |seed| {
-            let form = case.form(&case.seeded(seed)).unwrap().masked(&dark, 0.7);
+            let form = case.form_of(&case.seeded(seed)).unwrap().masked(&dark, 0.7);
             model_on(&gpu, &form, &Work::new()).unwrap()
         };
         let model = &*model_of(1);
@@ -188,7 +159,7 @@ fn unscattered_light_is_that_of_the_processor() {
             orders: 0,
             ..case.params.clone()
         };
-        let (host, card) = (case.host(&params), case.card(&gpu, &params));
+        let (host, card) = (case.host_of(&params), case.card(&gpu, &params));
         assert_eq!(card.patterns(), host.patterns());
         let x = check::noisy_patterns(&*host, 1);
         let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
@@ -199,7 +170,7 @@ fn unscattered_light_is_that_of_the_processor() {
 }
 
 /// Sums of a dose with weights that even, odd, flat and steep errors of scattered light change.
-fn moments(case: &Case, dose: &HostField) -> Vec<f64> {
+fn moments(case: &Case<Params>, dose: &HostField) -> Vec<f64> {
     let grid = &case.grid;
     let volume = DoseLayout::new("dose", grid.clone(), 0).volume_of(dose.as_slice());
     let mut sums = vec![0.0; 5];
@@ -220,8 +191,12 @@ fn moments(case: &Case, dose: &HostField) -> Vec<f64> {
 }
 
 /// Mean and its standard deviation of moments of scattered light, from several seeds.
-fn scattered(case: &Case, seeds: u64, model: &dyn Fn(&Params) -> HostModel) -> Vec<[f64; 2]> {
-    let x = check::even_patterns(&*case.host(&case.params), 1.0);
+fn scattered(
+    case: &Case<Params>,
+    seeds: u64,
+    model: &dyn Fn(&Params) -> HostModel,
+) -> Vec<[f64; 2]> {
+    let x = check::even_patterns(&*case.host_of(&case.params), 1.0);
     let moments_of = |params: &Params| moments(case, &check::dose(&*model(params), &x));
     let straight = moments_of(&Params {
         orders: 0,
@@ -246,7 +221,7 @@ fn scattered_light_is_that_of_the_processor_within_the_noise_of_both() {
     const SEEDS: u64 = 12;
     let Some(gpu) = gpu(128 << 20) else { return };
     for case in cases() {
-        let host = scattered(&case, SEEDS, &|params| case.host(params));
+        let host = scattered(&case, SEEDS, &|params| case.host_of(params));
         let card = scattered(&case, SEEDS, &|params| case.card(&gpu, params));
         for (i, ([expected, a], [found, b])) in host.into_iter().zip(card).enumerate() {
             let (noise, name) = (a.hypot(b), case.name);
@@ -315,7 +290,7 @@ fn paths_are_drawn_anew_and_are_the_same_again_in_the_same_round() {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let Some(gpu) = small() else { return };
-    let form = |case: Case| case.form(&case.params).unwrap();
+    let form = |case: Case<Params>| case.form_of(&case.params).unwrap();
     let forms: Vec<Form> = cases().into_iter().map(form).collect();
     let names = ["dose of paths", "sums of rays", "adjoint of paths"];
     assert_portable_kernels(&gpu, &forms, &names);
@@ -339,13 +314,13 @@ fn what_does_not_fit_is_refused_and_what_a_form_cannot_say_has_none() {
     let Some(small) = smaller(SMALL, 1 << 16) else {
         return;
     };
-    assert_too_large(&small, &case.form(&case.params).unwrap());
+    assert_too_large(&small, &case.form_of(&case.params).unwrap());
     let fine = Params {
         smooth: 1,
         ..case.params.clone()
     };
     let Some(tight) = gpu(16 << 10) else { return };
-    assert_too_large(&tight, &case.form(&fine).unwrap());
+    assert_too_large(&tight, &case.form_of(&fine).unwrap());
     for params in [
         Params {
             accumulation: Accumulation::Simple,
@@ -356,11 +331,11 @@ fn what_does_not_fit_is_refused_and_what_a_form_cannot_say_has_none() {
             ..case.params.clone()
         },
     ] {
-        assert!(case.form(&params).is_none());
+        assert!(case.form_of(&params).is_none());
     }
     let tube = Case {
         vial: Box::new(DoubleTube::new([1.6, 1.5, 0.7, 0.6], [1.5, 1.5, 1.33])),
         ..cases().swap_remove(0)
     };
-    assert!(tube.form(&tube.params).is_none());
+    assert!(tube.form_of(&tube.params).is_none());
 }

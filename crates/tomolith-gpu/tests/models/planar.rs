@@ -1,33 +1,28 @@
-//! Doses, adjoints, losses and whole optimizations on a card beside those of the processor.
+//! Doses, adjoints, losses and whole optimizations of models of parallel light.
 
-mod common;
-#[path = "common/models.rs"]
-mod models;
-#[path = "common/portable.rs"]
-mod portable;
-
-use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, noise_of, some_dark, with_dark_ends};
-use portable::assert_portable;
+use crate::common::{SMALL, gpu, smaller};
+use crate::portable::assert_portable;
+use crate::scene::{
+    Case, assert_doses_and_pullbacks, assert_near, assert_one_matrix, scattering, with_dark_ends,
+};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseModel, Work};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::response::{Identity, Response};
 use tomolith_core::target::{Target, label_voxels};
 use tomolith_gpu::model_on;
 use tomolith_models::rays::Optics;
-use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
-use tomolith_models::{parallel, successive_orders};
+use tomolith_models::{Family, HostModel, parallel, successive_orders};
 use tomolith_objective::{ObjectiveInput, objectives};
 use tomolith_optics::light::Light;
+use tomolith_optics::phase::Phase;
 use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::rayleigh::Rayleigh;
-use tomolith_optics::phase::{Phase, Scattering};
 use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::random::Stream;
 use tomolith_optics::resin::Resin;
@@ -38,19 +33,7 @@ use tomolith_optics::vial::index_matched::IndexMatched;
 use tomolith_optimize::start::starts;
 use tomolith_optimize::{Limits, Problem, StartInput, Stop, optimizers};
 
-/// A model of a vial, its lights and voxels.
-struct Case {
-    name: &'static str,
-    family: Family,
-    vial: Box<dyn Vial>,
-    lights: Vec<Light>,
-    optics: Vec<Optics>,
-    grid: VolumeGrid,
-    /// The smallest bindings that it fits.
-    binding: u64,
-}
-
-fn cases() -> Vec<Case> {
+fn cases() -> Vec<Case<Family>> {
     let matched = || Box::new(IndexMatched { radius_mm: 1.6 }) as Box<dyn Vial>;
     let glass = || -> Box<dyn Vial> { Box::new(Cylinder::new(1.3, 1.6, 1.58)) };
     let tube = Box::new(DoubleTube::new([1.6, 1.5, 0.7, 0.6], [1.5, 1.5, 1.33]));
@@ -63,14 +46,9 @@ fn cases() -> Vec<Case> {
         ..light(pixels(9, 30, 34), absorbing)
     };
     let clear = |lights: &[Light]| vec![Optics::collimated(0.1); lights.len()];
-    let straight = |name, vial, lights: Vec<Light>, grid| Case {
-        name,
-        family: Arc::new(parallel::Params::default()),
-        vial,
-        optics: clear(&lights),
-        lights,
-        grid,
-        binding: SMALL,
+    let straight = |name, vial, lights: Vec<Light>, grid| {
+        let (params, optics) = (Arc::new(parallel::Params::default()), clear(&lights));
+        Case::new(name, params as Family, vial, lights, optics, grid)
     };
     vec![
         straight(
@@ -88,7 +66,7 @@ fn cases() -> Vec<Case> {
         straight("glass, turning frames", glass(), vec![turning], grid(27)),
         // Several pieces of patterns, of the dose and of the kernels of later orders
         Case {
-            family: orders(0.4),
+            params: orders(0.4),
             optics: vec![scattering(Rayleigh {}, 0.15)],
             binding: 128 << 10,
             ..straight(
@@ -109,7 +87,7 @@ fn cases() -> Vec<Case> {
         ),
         // Kernels of all parities, later orders on larger cells, and a light that is not scattered
         Case {
-            family: Arc::new(successive_orders::Params::default()),
+            params: Arc::new(successive_orders::Params::default()),
             optics: vec![Optics::collimated(0.1), scattering(Forward, 0.7)],
             binding: 8 << 20,
             ..straight(
@@ -124,7 +102,7 @@ fn cases() -> Vec<Case> {
         },
         // Harmonics of all degrees, and pixels of a level light beside those of a tilted one
         Case {
-            family: orders(0.4),
+            params: orders(0.4),
             optics: vec![Optics {
                 projector: Arc::new(Telecentric {
                     pixel_pitch_mm: [0.1; 2],
@@ -143,7 +121,7 @@ fn cases() -> Vec<Case> {
             )
         },
         Case {
-            family: orders(0.4),
+            params: orders(0.4),
             optics: vec![
                 scattering(Rayleigh {}, 0.15),
                 scattering(Rayleigh {}, 0.2).tilted(0.2),
@@ -183,24 +161,13 @@ impl Phase for Forward {
     }
 }
 
-/// Collimated light that the resin scatters.
-fn scattering(phase: impl Phase + 'static, per_mm: f64) -> Optics {
-    Optics {
-        scattering: Some(Scattering::new(per_mm, phase)),
-        ..Optics::collimated(0.1)
-    }
-}
-
-impl Case {
-    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-        let (lights, optics) = (&self.lights, &self.optics);
-        let scene = OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe);
-        let work = Work::new();
-        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
-    }
-
+impl Case<Family> {
     fn host(&self) -> HostModel {
-        self.with(|input| self.family.build(input).unwrap())
+        self.host_of(&*self.params)
+    }
+
+    fn form(&self) -> Form {
+        self.form_of(&*self.params).unwrap()
     }
 
     /// How near doses of both are, and how exact a pair is on a card: rays are sums in another order, from other coordinates (`rays.rs`).
@@ -209,10 +176,6 @@ impl Case {
             Form::Strips(_) => (5e-6, 2e-7),
             _ => (5e-5, 1e-6),
         }
-    }
-
-    fn form(&self) -> Form {
-        self.with(|input| self.family.form(input).unwrap().unwrap())
     }
 }
 
@@ -236,18 +199,9 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let (near, _) = case.tolerances();
             let mut x = check::noisy_patterns(&*host, 1);
             x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
-            let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
-            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
-            let [expected, found] = [&host, &card].map(|model| {
-                let mut dose = model.new_dose().unwrap();
-                model.dose_of(2..5, &x, &mut dose, &Work::new()).unwrap();
-                dose
+            assert_doses_and_pullbacks([&*host, &*card], &x, 2..5, |found, expected| {
+                assert_near(found, expected, near, case.name);
             });
-            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
-            let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
-            let both = [&host, &card].map(|model| check::adjoint(&**model, &cotangent));
-            let [expected, found] = both;
-            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
         }
     }
 }
@@ -256,8 +210,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
 fn dose_and_adjoint_on_the_card_are_one_matrix() {
     for case in cases() {
         let Some(gpu) = gpu(case.binding) else { return };
-        let pixels: usize = case.host().patterns().iter().map(|p| p.len()).sum();
-        let dark = some_dark(pixels);
+        let dark = case.some_dark();
         let form = case.form().masked(&dark, 0.7);
         let model = &*model_on(&gpu, &form, &Work::new()).unwrap();
         let [_, dose] = assert_one_matrix(model, &dark, case.tolerances().1, case.name);
