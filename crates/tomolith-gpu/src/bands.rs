@@ -218,7 +218,7 @@ impl Data {
                     .iter()
                     .map(|b| [finite(b.lower), finite(b.upper), b.weight, 0.0])
                     .collect();
-                let table = |_| like.gpu().upload(bytemuck::cast_slice(&words));
+                let table = |_| like.gpu().upload(&words);
                 let data = Data::Labels {
                     labels: like.ranges().map(of_piece).collect(),
                     table: (0..like.pieces().len()).map(table).collect(),

@@ -2,7 +2,7 @@
 //!
 //! Formula: [`tomolith_core::dose::scattered::Bins`]. Every pixel of a channel counts times the weight of its (frame, column).
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::mask::{IS_LIT, Mask};
 use crate::passes::ENTRY;
@@ -28,9 +28,26 @@ pub(crate) struct DeviceBins {
 /// The pixels of a light among those of all.
 pub(crate) struct Pixels<'a> {
     pub(crate) field: &'a GpuField,
-    /// Offset, lowest row, rows and frame of each column of pixels.
+    /// [`table_of_runs`]
     pub(crate) runs: &'a Buffer,
     pub(crate) mask: &'a Mask,
+}
+
+/// Offset, lowest row, rows and frame of each column of pixels.
+pub(crate) fn table_of_runs(gpu: &Gpu, layout: &PatternLayout) -> Buffer {
+    let columns = layout.grid.columns.max(1);
+    let of_runs = layout.runs.iter().enumerate();
+    let table: Vec<[u32; 4]> = of_runs
+        .map(|(i, run)| {
+            [
+                run.offset as u32,
+                run.bottom,
+                run.count,
+                (i / columns) as u32,
+            ]
+        })
+        .collect();
+    gpu.upload(&table)
 }
 
 impl DeviceBins {
@@ -43,15 +60,12 @@ impl DeviceBins {
     ) -> Self {
         let run = layout.runs.first().copied().unwrap_or_default();
         DeviceBins {
-            columns: gpu.upload(bytemuck::cast_slice(&table(
-                &bins.columns,
-                layout.grid.columns,
-            ))),
-            rows: gpu.upload(bytemuck::cast_slice(&table(&bins.rows, layout.grid.rows))),
+            columns: gpu.upload(&table(&bins.columns, layout.grid.columns)),
+            rows: gpu.upload(&table(&bins.rows, layout.grid.rows)),
             pixels: [bins.columns.len(), bins.rows.len()],
             bins: [layout.grid.columns, run.bottom as usize, run.count as usize],
             scale: bins.scale,
-            weights: gpu.upload(bytemuck::cast_slice(&weights.concat())),
+            weights: gpu.upload(&weights.concat()),
             slots: weights.first().map_or(0, Vec::len),
         }
     }
@@ -104,8 +118,7 @@ impl DeviceBins {
                     &self.weights,
                     &*pixels.mask.lit,
                 ];
-                let groups = (bin_range.len() as u64).div_ceil(u64::from(THREADS));
-                gpu.run("fill bins", &fill, &parameters, &buffers, groups);
+                gpu.run("fill bins", &fill, &parameters, &buffers, bin_range.len());
             }
         }
     }
@@ -139,8 +152,8 @@ impl DeviceBins {
                     &self.weights,
                     &*pixels.mask.lit,
                 ];
-                let groups = ((slots * self.pixels[1]) as u64).div_ceil(u64::from(THREADS));
-                gpu.run("bins to pixels", &add_back, &parameters, &buffers, groups);
+                let threads = slots * self.pixels[1];
+                gpu.run("bins to pixels", &add_back, &parameters, &buffers, threads);
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Fields are `[y][x][z]` with padded rows, several one after the other in one array. Formulas: [`tomolith_core::dose::scattered`].
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu};
 use crate::passes::ENTRY;
 use std::ops::Range;
 use tomolith_core::dose::scattered::CellGrid;
@@ -50,9 +50,9 @@ impl DeviceCells {
         DeviceCells {
             gpu: gpu.clone(),
             shape: [nx, ny, nz, grid.layout.row].map(|n| n as u32),
-            is_full: gpu.upload(bytemuck::cast_slice(&is_full)),
-            places: gpu.upload(bytemuck::cast_slice(&places)),
-            ranges: gpu.upload(bytemuck::cast_slice(&ranges)),
+            is_full: gpu.upload(&is_full),
+            places: gpu.upload(&places),
+            ranges: gpu.upload(&ranges),
             voxels: [vx, vy, vz, row as u32],
         }
     }
@@ -78,9 +78,7 @@ impl DeviceCells {
 
     /// So many dark fields.
     pub(crate) fn dark(&self, count: usize) -> Buffer {
-        let fields = self.fields(count);
-        self.gpu.clear(&fields, (4 * count * self.len()) as u64);
-        fields
+        self.gpu.zeros((4 * count * self.len()) as u64)
     }
 
     /// Runs a kernel with a thread for each cell of so many fields.
@@ -93,9 +91,8 @@ impl DeviceCells {
         count: usize,
     ) {
         let parameters = [&self.shape[..], numbers].concat();
-        let groups = (count * self.cells()).div_ceil(THREADS as usize);
         self.gpu
-            .run(name, body, &parameters, buffers, groups as u64);
+            .run(name, body, &parameters, buffers, count * self.cells());
     }
 
     /// So many sharper fields.
@@ -155,11 +152,10 @@ impl DeviceCells {
     ) {
         let numbers = [columns.start, columns.len()].map(|n| n as u32);
         let parameters = [self.of_voxels(), numbers.to_vec()].concat();
-        let threads = columns.len() as u64 * u64::from(self.voxels[2]);
+        let threads = columns.len() * self.voxels[2] as usize;
         let buffers = [piece, field, &self.places, shares];
-        let groups = threads.div_ceil(u64::from(THREADS));
         self.gpu
-            .run("spread", &spread, &parameters, &buffers, groups);
+            .run("spread", &spread, &parameters, &buffers, threads);
         self.gpu.submit();
     }
 
@@ -177,14 +173,14 @@ impl DeviceCells {
             let lines = self.gpu.buffer((4 * nz * part.len()) as u64);
             let numbers = [part.start, part.len(), part.start - columns.start].map(|n| n as u32);
             let parameters = [self.of_voxels(), numbers.to_vec()].concat();
-            let groups = (nz * part.len()).div_ceil(THREADS as usize) as u64;
             let buffers = [&lines, piece, &self.places, &self.ranges];
+            let threads = nz * part.len();
             self.gpu
-                .run("gather along z", &gather_z, &parameters, &buffers, groups);
-            let groups = self.cells().div_ceil(THREADS as usize) as u64;
+                .run("gather along z", &gather_z, &parameters, &buffers, threads);
             let buffers = [field, &lines, &self.places, &self.ranges, shares];
+            let threads = self.cells();
             self.gpu
-                .run("gather across", &gather_xy, &parameters, &buffers, groups);
+                .run("gather across", &gather_xy, &parameters, &buffers, threads);
             self.gpu.submit();
         }
     }

@@ -5,7 +5,7 @@
 //!
 //! **Cost** memory: 32 bytes a cell and field, twice.
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu};
 use crate::passes::ENTRY;
 use crate::transforms::{Lines, Transform};
 use tomolith_core::dose::scattered::OnCells;
@@ -47,7 +47,7 @@ impl Convolution {
         let upload = |(i, kernels): (usize, &[_])| {
             let values: Vec<&[f32]> = kernels.iter().map(values_of).collect();
             let first = i * most;
-            let buffer = gpu.upload(bytemuck::cast_slice(&values.concat()));
+            let buffer = gpu.upload(&values.concat());
             ([first, first + kernels.len()], buffer)
         };
         let pair = |&kernel: &usize| 2 * kernel as u32 + u32::from(on_cells.kernels[kernel].is_odd);
@@ -64,7 +64,7 @@ impl Convolution {
                 .enumerate()
                 .map(upload)
                 .collect(),
-            pairs: gpu.upload(bytemuck::cast_slice(&pairs)),
+            pairs: gpu.upload(&pairs),
             columns: matrix.first().map_or(0, Vec::len),
         }
     }
@@ -173,13 +173,12 @@ impl Convolution {
                 *end as u32,
                 sign.to_bits(),
             ];
-            let groups = (outputs * frequencies).div_ceil(THREADS as usize);
             self.gpu.run(
                 "products of spectra",
                 &multiply,
                 &parameters,
                 &[&sums, spectra, kernels, &self.pairs],
-                groups as u64,
+                outputs * frequencies,
             );
         }
         sums

@@ -86,8 +86,7 @@ impl Counter<GpuField> for GpuCounter {
 
     fn counts(&self, values: &GpuField, low: f32, scale: f32) -> Vec<[u64; 2]> {
         let bytes = 8 * BINS as u64;
-        let table = self.gpu.buffer(bytes);
-        self.gpu.clear(&table, bytes);
+        let table = self.gpu.zeros(bytes);
         let pieces = values.pieces().iter().zip(&self.labels);
         for ((x, labels), &n) in pieces.zip(values.lengths()) {
             let parameters = [n as u32, low.to_bits(), scale.to_bits()];
@@ -95,7 +94,7 @@ impl Counter<GpuField> for GpuCounter {
             let buffers = [x, labels, &table];
             let name = "histogram of part and void";
             self.gpu
-                .run(name, &histogram, &parameters, &buffers, groups);
+                .run_groups(name, &histogram, &parameters, &buffers, groups);
         }
         let found = words(&self.gpu.read(&[(&table, bytes)]));
         let pairs = found.chunks(2).map(|bin| [bin[0], bin[1]].map(u64::from));

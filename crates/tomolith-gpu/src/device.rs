@@ -377,7 +377,15 @@ impl Gpu {
         }
     }
 
-    pub(crate) fn upload(&self, bytes: &[u8]) -> Buffer {
+    /// A buffer of so many zero bytes.
+    pub(crate) fn zeros(&self, bytes: u64) -> Buffer {
+        let buffer = self.buffer(bytes);
+        self.clear(&buffer, bytes);
+        buffer
+    }
+
+    pub(crate) fn upload<T: bytemuck::NoUninit>(&self, values: &[T]) -> Buffer {
+        let bytes: &[u8] = bytemuck::cast_slice(values);
         let buffer = self.buffer(bytes.len() as u64);
         self.write(&buffer, 0, bytes);
         buffer
@@ -549,7 +557,7 @@ impl Gpu {
 
     /// Runs a kernel in so many groups. Its group 0 has the parameters (32-bit words, at most 64) at binding 0 and the buffers from binding 1 on;
     /// `source` is its WGSL, the same for the same name.
-    pub(crate) fn run(
+    pub(crate) fn run_groups(
         &self,
         name: &str,
         source: &dyn Fn() -> String,
@@ -591,6 +599,19 @@ impl Gpu {
             let down = groups.div_ceil(u64::from(across)) as u32;
             pass.dispatch_workgroups(across, down, 1);
         });
+    }
+
+    /// Runs a kernel with a thread for each of so many elements, in groups of [`THREADS`]; otherwise as [`run_groups`](Self::run_groups).
+    pub(crate) fn run(
+        &self,
+        name: &str,
+        source: &dyn Fn() -> String,
+        parameters: &[u32],
+        buffers: &[&Buffer],
+        threads: usize,
+    ) {
+        let groups = (threads as u64).div_ceil(u64::from(THREADS));
+        self.run_groups(name, source, parameters, buffers, groups);
     }
 
     fn kernel(&self, name: &str, source: &dyn Fn() -> String) -> wgpu::ComputePipeline {
@@ -733,7 +754,7 @@ mod tests {
                 )
             };
             let out = gpu.buffer(4);
-            gpu.run("large", &source, &[7], &[&out], 1);
+            gpu.run_groups("large", &source, &[7], &[&out], 1);
             let found = gpu.read(&[(&out, 4)]);
             assert_eq!(gpu.check().is_ok(), is_taken, "{:?}", gpu.check());
             assert_eq!(found[0] == 7, is_taken);

@@ -10,7 +10,7 @@ use crate::device::{Buffer, Gpu, THREADS};
 use crate::passes::ENTRY;
 use std::ops::Range;
 use std::sync::OnceLock;
-use tomolith_core::dose::strips::{LightStrips, Strip, StripGeometry};
+use tomolith_core::dose::strips::{LightStrips, StripGeometry};
 use tomolith_core::error::Result;
 
 /// The strips of one light on the card, and what says where they are.
@@ -80,16 +80,16 @@ impl DeviceStrips {
             .collect();
         let [_, ny, nx] = geometry.output.grid.shape;
         DeviceStrips {
-            strips: gpu.upload(bytemuck::cast_slice::<Strip, u8>(&light.strips)),
-            beams: gpu.upload(bytemuck::cast_slice(&beams)),
-            meetings: gpu.upload(bytemuck::cast_slice(&light.meetings)),
-            resin_rows: gpu.upload(bytemuck::cast_slice(&light.resin_rows.concat())),
-            tiles: gpu.upload(bytemuck::cast_slice(&tiles)),
+            strips: gpu.upload(&light.strips),
+            beams: gpu.upload(&beams),
+            meetings: gpu.upload(&light.meetings),
+            resin_rows: gpu.upload(&light.resin_rows.concat()),
+            tiles: gpu.upload(&tiles),
             tile_count: tiles.len(),
             beam_count: beams.len(),
             beams_of,
-            by_slot: gpu.upload(bytemuck::cast_slice(&by_slot)),
-            slots: gpu.upload(bytemuck::cast_slice(&slots)),
+            by_slot: gpu.upload(&by_slot),
+            slots: gpu.upload(&slots),
             is_pure_radon: light.is_pure_radon,
             columns: light.columns,
             voxels: [nx, ny],
@@ -156,7 +156,7 @@ impl DeviceStrips {
         starts.push(total as u32);
         let rows = Rows {
             count,
-            starts: gpu.upload(bytemuck::cast_slice(&starts)),
+            starts: gpu.upload(&starts),
             entries: None,
             total,
         };
@@ -195,14 +195,14 @@ impl DeviceStrips {
             rows as u32,
         ];
         let mut buffers = vec![&self.strips, &self.resin_rows];
-        let (name, groups) = match axis {
+        let (name, threads) = match axis {
             Axis::Voxels => {
                 buffers.extend([&self.beams, &self.meetings, &self.tiles]);
-                ("voxels", self.tile_count as u64)
+                ("voxels", self.tile_count * THREADS as usize)
             }
             Axis::Slots => {
                 buffers.extend([&self.by_slot, &self.slots]);
-                ("slots", (rows as u64).div_ceil(u64::from(THREADS)))
+                ("slots", rows)
             }
         };
         buffers.extend(out);
@@ -215,7 +215,7 @@ impl DeviceStrips {
             &|| source(axis, writes),
             &parameters,
             &buffers,
-            groups,
+            threads,
         );
         gpu.submit();
     }
@@ -327,8 +327,8 @@ impl Product<'_> {
                 source.rows.end as u32,
             ];
             let buffers = [out.buffer, source.buffer, &rows.starts, entries];
-            let groups = ((count * self.lanes) as u64).div_ceil(u64::from(THREADS));
-            gpu.run("product", &product, &parameters, &buffers, groups);
+            let threads = count * self.lanes;
+            gpu.run("product", &product, &parameters, &buffers, threads);
             gpu.submit();
         }
     }

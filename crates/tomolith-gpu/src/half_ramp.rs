@@ -3,7 +3,7 @@
 //! What M leaves at pixels that are no elements matters for Mᵀ, so a pass works in a rectangle of columns and rows in addition to the field, a
 //! few frames at a time.
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::passes::ENTRY;
 use tomolith_core::field::half_ramp::SECTIONS;
@@ -82,7 +82,7 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
         let scratch = batches.iter().map(largest).max().unwrap_or(0u64);
         GpuHalfRamp {
             gpu: gpu.clone(),
-            runs: gpu.upload(bytemuck::cast_slice(&table)),
+            runs: gpu.upload(&table),
             batches: batches
                 .into_iter()
                 .map(|(piece, frames)| Batch::new(gpu, piece, frames))
@@ -102,10 +102,9 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
                 &out.pieces()[batch.piece],
                 &self.scratch,
             ];
-            let threads = (batch.count * batch.rows) as u64;
-            let groups = threads.div_ceil(u64::from(THREADS));
+            let threads = batch.count * batch.rows;
             self.gpu
-                .run("half ramp", &source, &parameters, &buffers, groups);
+                .run("half ramp", &source, &parameters, &buffers, threads);
         }
     }
 }
@@ -142,7 +141,7 @@ impl Batch {
         let words: Vec<[u32; 8]> = frames.iter().map(words).collect();
         Batch {
             piece,
-            frames: gpu.upload(bytemuck::cast_slice(&words)),
+            frames: gpu.upload(&words),
             count: frames.len(),
             rows: frames
                 .iter()

@@ -26,7 +26,7 @@ impl Mask {
             bits[i / 32] |= u32::from(!dark) << (i % 32);
         }
         Mask {
-            lit: Arc::new(gpu.upload(bytemuck::cast_slice(&bits))),
+            lit: Arc::new(gpu.upload(&bits)),
             has_dark: !form.dark.is_empty(),
             factor: form.factor,
         }

@@ -135,8 +135,7 @@ impl Pass<'_> {
         for (k, &n) in lengths.iter().enumerate() {
             let buffers: Vec<&Buffer> = operands.iter().map(|o| &o.pieces[k]).collect();
             let parameters = self.parameters(n, [0; 3]);
-            let groups = (n as u64).div_ceil(u64::from(THREADS));
-            gpu.run(self.name, &source, &parameters, &buffers, groups);
+            gpu.run(self.name, &source, &parameters, &buffers, n);
         }
     }
 
@@ -200,7 +199,7 @@ impl Pass<'_> {
             buffers.push(&partial);
             let groups = of_piece(n);
             let parameters = self.parameters(*n, [CHUNK, groups as u32, first]);
-            gpu.run(self.name, &source, &parameters, &buffers, groups as u64);
+            gpu.run_groups(self.name, &source, &parameters, &buffers, groups as u64);
             first += groups as u32;
         }
         let rows = MOST_BACK / count;
@@ -220,7 +219,7 @@ impl Pass<'_> {
             &|| fold(how),
             &numbers,
             &[&partial, &folded],
-            ((rows * count) as u64).div_ceil(u64::from(THREADS)),
+            rows * count,
         );
         Pending {
             buffer: folded,

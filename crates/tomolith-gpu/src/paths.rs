@@ -64,13 +64,13 @@ impl Geometry {
         let most = data.cells.layout.len().max(ny * nx);
         must_be_bound(gpu, 4 * most as u64, "a larger model.monte_carlo.smooth")?;
         let table = |light: &Option<LightPaths>| match light.as_ref().map(|light| &light.phase) {
-            Some(PhaseForm::Table(cosines)) => gpu.upload(bytemuck::cast_slice(cosines)),
+            Some(PhaseForm::Table(cosines)) => gpu.upload(cosines),
             _ => gpu.buffer(4),
         };
         Ok(Geometry {
             data: data.clone(),
             cells: DeviceCells::new(gpu, &data.cells, output.row),
-            shares: gpu.upload(bytemuck::cast_slice(&vec![1.0f32; ny * nx])),
+            shares: gpu.upload(&vec![1.0f32; ny * nx]),
             tables: data.lights.iter().map(table).collect(),
         })
     }

@@ -12,8 +12,8 @@
 //! **Cost** two sums and some sixty operations for a voxel that a segment passes; segments (40 bytes each) are read once a dose, from the caches
 //! where all frames share them. Memory in addition to fields: segments, 8 bytes a voxel during a dose, and as many with cells.
 
-use crate::bins::Pixels;
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::bins::{Pixels, table_of_runs};
+use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::mask::{IS_LIT, Mask};
 use crate::passes::{ENTRY, Operand, Pass};
@@ -114,7 +114,7 @@ impl Geometry {
             lights,
             bytes,
             energy,
-            inside: gpu.upload(bytemuck::cast_slice(&inside)),
+            inside: gpu.upload(&inside),
             weights,
             scattered,
         })
@@ -139,22 +139,11 @@ fn must_be_stored(gpu: &Gpu, bytes: u64) -> Result<()> {
 
 impl DeviceLight {
     fn new(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Self> {
-        let columns = layout.grid.columns;
-        let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
-            .map(|(i, run)| {
-                [
-                    run.offset as u32,
-                    run.bottom,
-                    run.count,
-                    (i / columns.max(1)) as u32,
-                ]
-            })
-            .collect();
         let still = vec![[1.0, 0.0]];
         let turns = light.turns.as_ref().unwrap_or(&still);
         let exposures = (turns.len() / layout.grid.frames().max(1)).max(1);
         Ok(DeviceLight {
-            runs: gpu.upload(bytemuck::cast_slice(&runs)),
+            runs: table_of_runs(gpu, layout),
             turns: turns.len(),
             exposures,
             is_shared: light.turns.is_some(),
@@ -165,7 +154,10 @@ impl DeviceLight {
                     .map(|pair| pair[1] - pair[0])
                     .max()
                     .unwrap_or(0) as usize,
-            rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
+            rows: (layout.runs.iter())
+                .map(|run| run.count as usize)
+                .max()
+                .unwrap_or(0),
             chunks: chunks(gpu, light, turns, layout)?,
         })
     }
@@ -226,8 +218,8 @@ fn chunks(
         chunks.push(Chunk {
             columns,
             first_pixel: pixels.start,
-            starts: gpu.upload(bytemuck::cast_slice(&starts)),
-            segments: gpu.upload(bytemuck::cast_slice(&light.segments[segments])),
+            starts: gpu.upload(&starts),
+            segments: gpu.upload(&light.segments[segments]),
         });
     }
     Ok(chunks)
@@ -503,9 +495,9 @@ impl GpuRays {
                     piece,
                 ];
                 all.extend(buffers);
-                let groups = ((slots.len() * device.rows) as u64).div_ceil(u64::from(THREADS));
+                let threads = slots.len() * device.rows;
                 self.gpu
-                    .run(walk.name, walk.source, &parameters, &all, groups);
+                    .run(walk.name, walk.source, &parameters, &all, threads);
             }
         }
     }

@@ -7,8 +7,8 @@
 //! **Cost** per dose or adjoint: an entry is read once and used for all lanes of a row; lanes are read once an entry, mostly from the card's
 //! caches. Memory in addition to fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are stored.
 
-use crate::bins::Pixels;
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::bins::{Pixels, table_of_runs};
+use crate::device::{Buffer, Gpu};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
 use crate::mask::Mask;
@@ -59,8 +59,8 @@ struct DeviceTaps {
 impl DeviceTaps {
     fn new(gpu: &Gpu, taps: &Taps) -> Self {
         DeviceTaps {
-            first: gpu.upload(bytemuck::cast_slice(&taps.first)),
-            weights: gpu.upload(bytemuck::cast_slice(&taps.weights.concat())),
+            first: gpu.upload(&taps.first),
+            weights: gpu.upload(&taps.weights.concat()),
             taps: taps.weights.len(),
             count: taps.first.len(),
         }
@@ -131,18 +131,7 @@ impl DeviceLight {
         let strips = DeviceStrips::new(gpu, geometry, light);
         let bytes_of_view = (light.columns * lanes * 16) as u64;
         let (chunks, pairs) = strips.chunks(gpu, light.views, bytes_of_view)?;
-        let columns = layout.grid.columns;
-        let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
-            .map(|(i, run)| {
-                [
-                    run.offset as u32,
-                    run.bottom,
-                    run.count,
-                    (i / columns) as u32,
-                ]
-            })
-            .collect();
-        let mut slot_of = vec![0u32; runs.len()];
+        let mut slot_of = vec![0u32; layout.runs.len()];
         for (slot, sides) in light.sources.iter().enumerate() {
             for run in sides.iter().flatten() {
                 slot_of[*run as usize] = slot as u32;
@@ -155,15 +144,15 @@ impl DeviceLight {
         let device_light = DeviceLight {
             strips,
             chunks,
-            runs: gpu.upload(bytemuck::cast_slice(&runs)),
-            slot_of: gpu.upload(bytemuck::cast_slice(&slot_of)),
-            sources: gpu.upload(bytemuck::cast_slice(&sources)),
+            runs: table_of_runs(gpu, layout),
+            slot_of: gpu.upload(&slot_of),
+            sources: gpu.upload(&sources),
             to_lanes: DeviceTaps::new(gpu, &light.to_lanes),
             to_rows: DeviceTaps::new(gpu, &light.to_rows),
             spread: spread.map(|taps| taps.each_ref().map(|taps| DeviceTaps::new(gpu, taps))),
             lanes,
             views: light.views,
-            columns,
+            columns: layout.grid.columns,
             frames: layout.grid.frames(),
         };
         Ok((device_light, pairs))
@@ -259,9 +248,9 @@ impl GpuStrips {
                 &taps.weights,
                 &*self.mask.lit,
             ];
-            let groups = ((4 * slots * light.lanes) as u64).div_ceil(u64::from(THREADS));
+            let threads = 4 * slots * light.lanes;
             self.gpu
-                .run("expand", &expand, &parameters, &buffers, groups);
+                .run("expand", &expand, &parameters, &buffers, threads);
         }
     }
 
@@ -305,9 +294,8 @@ impl GpuStrips {
                     &taps.weights,
                     &*self.mask.lit,
                 ];
-                let groups = ((runs * rows) as u64).div_ceil(u64::from(THREADS));
                 self.gpu
-                    .run("collect", &collect, &parameters, &buffers, groups);
+                    .run("collect", &collect, &parameters, &buffers, runs * rows);
             }
         }
     }
@@ -324,9 +312,9 @@ impl GpuStrips {
             sources as u32,
         ];
         let buffers = [out.buffer, source.buffer, &taps.first, &taps.weights];
-        let groups = ((rows * taps.count) as u64).div_ceil(u64::from(THREADS));
+        let threads = rows * taps.count;
         self.gpu
-            .run("resample", &resample, &parameters, &buffers, groups);
+            .run("resample", &resample, &parameters, &buffers, threads);
     }
 
     fn product<'a>(&'a self, light: &'a DeviceLight, chunk: &'a Chunk) -> Product<'a> {
@@ -388,9 +376,7 @@ impl GpuStrips {
     fn rows_buffer(&self, light: &DeviceLight, voxels: usize) -> Option<Buffer> {
         light.spread.as_ref().map(|_| {
             let bytes = (16 * voxels * light.lanes) as u64;
-            let buffer = self.gpu.buffer(bytes);
-            self.gpu.clear(&buffer, bytes);
-            buffer
+            self.gpu.zeros(bytes)
         })
     }
 

@@ -68,7 +68,7 @@ impl Transform {
             length,
             sign,
             split: (length > IN_GROUP).then(|| factors(length)),
-            turns: gpu.upload(bytemuck::cast_slice(&turns)),
+            turns: gpu.upload(&turns),
         }
     }
 
@@ -131,7 +131,7 @@ impl Transform {
         let source = || self.source(kernel, part, length, buffers.len());
         let groups = lines.div_ceil(IN_GROUP / length);
         self.gpu
-            .run(&name, &source, parameters, buffers, groups as u64);
+            .run_groups(&name, &source, parameters, buffers, groups as u64);
     }
 
     /// How many lines a part has, what number `i` of one is, and what becomes of number `i` of its transform.
@@ -379,7 +379,7 @@ fn store(line: u32, i: u32, value: vec2<f32>) { out[line * p.n + i] = value; }"
     fn both(gpu: &Gpu, kernel: &Lines, length: usize, sign: i32) -> [Vec<f64>; 2] {
         let lines = 3 + IN_GROUP / length.min(IN_GROUP);
         let numbers = noise(length as u64, 2 * lines * length);
-        let [out, source] = [(); 2].map(|()| gpu.upload(bytemuck::cast_slice(&numbers)));
+        let [out, source] = [(); 2].map(|()| gpu.upload(&numbers));
         let transform = Transform::new(gpu, length, sign);
         transform.run(kernel, lines, &[length as u32], &[&out, &source]);
         let found = gpu.read(&[(&out, 4 * numbers.len() as u64)]);

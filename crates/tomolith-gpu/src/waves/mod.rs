@@ -166,8 +166,7 @@ impl GpuWaves {
     fn asked(&self, light: &DeviceLight, batch: &Batch<'_>, cotangent: &GpuField) -> Buffer {
         let frames = batch.frames.len();
         let bytes = (4 * frames * light.rotation.rows() * self.form().output.row) as u64;
-        let samples = self.gpu.buffer(bytes);
-        self.gpu.clear(&samples, bytes);
+        let samples = self.gpu.zeros(bytes);
         for (columns, piece) in self.voxels_of(cotangent) {
             (light.rotation).ask(&batch.frames, &samples, &columns, piece);
         }

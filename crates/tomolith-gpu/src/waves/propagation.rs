@@ -7,7 +7,8 @@
 //! **Shapes** spectra `[frame][f_u][f_z]`, fields `[frame][lateral][z]`, samples `[frame][depth][lateral][row]`.
 
 use super::kernels;
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::bins::table_of_runs;
+use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::mask::Mask;
 use crate::transforms::{Lines, Transform};
@@ -123,20 +124,13 @@ impl DevicePropagation {
         let lengths = transforms.samples.map(|comb| comb.length);
         let both =
             |lengths: [usize; 2]| lengths.map(|n| [-1, 1].map(|sign| Transform::new(gpu, n, sign)));
-        let columns = layout.grid.columns;
-        let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
-            .map(|(i, run)| {
-                let frame = (i / columns.max(1)) as u32;
-                [run.offset as u32, run.bottom, run.count, frame]
-            })
-            .collect();
         let counts = transforms.band.map(|b| 2 * b + 1);
         let modes = light.modes.iter();
         DevicePropagation {
             gpu: gpu.clone(),
-            runs: gpu.upload(bytemuck::cast_slice(&runs)),
-            columns,
-            shifts: gpu.upload(bytemuck::cast_slice(&transforms.shifts)),
+            runs: table_of_runs(gpu, layout),
+            columns: layout.grid.columns,
+            shifts: gpu.upload(&transforms.shifts),
             band: transforms.band,
             combs: transforms.samples,
             image: both(transforms.padded),
@@ -371,10 +365,7 @@ impl DevicePropagation {
     }
 
     fn dark(&self, frames: usize, numbers: usize) -> Buffer {
-        let bytes = (4 * frames * numbers) as u64;
-        let buffer = self.gpu.buffer(bytes);
-        self.gpu.clear(&buffer, bytes);
-        buffer
+        self.gpu.zeros((4 * frames * numbers) as u64)
     }
 
     /// Adds light of every depth and mode to samples.
@@ -417,9 +408,7 @@ impl DevicePropagation {
         samples: &Buffer,
         work: &Work,
     ) -> Result<Buffer> {
-        let bytes = (8 * frames * self.frequencies()) as u64;
-        let sum = self.gpu.buffer(bytes);
-        self.gpu.clear(&sum, bytes);
+        let sum = self.gpu.zeros((8 * frames * self.frequencies()) as u64);
         let (ring, sent) = (
             self.ring(frames, &self.forth),
             self.ring(frames, &self.back),
@@ -495,22 +484,20 @@ impl DevicePropagation {
             buffers.push(&self.forth.entries);
             buffers.extend(rings);
         }
-        let groups = (frames * self.of_field()).div_ceil(THREADS as usize);
-        self.gpu
-            .run(name, &source, &parameters, &buffers, groups as u64);
+        let threads = frames * self.of_field();
+        self.gpu.run(name, &source, &parameters, &buffers, threads);
     }
 
     /// `field` = what was sent back to a depth that is transformed.
     fn sum_of(&self, frames: usize, depth: usize, sent: &Buffer, field: &Buffer) {
         let entries = &self.back.sums[depth].entries;
         let numbers = [frames * self.of_field(), entries.start, entries.end];
-        let groups = numbers[0].div_ceil(THREADS as usize);
         self.gpu.run(
             "sum of fields",
             &kernels::sum_of_fields,
             &numbers.map(|n| n as u32),
             &[field, &self.back.entries, sent],
-            groups as u64,
+            numbers[0],
         );
     }
 
@@ -558,13 +545,12 @@ impl DevicePropagation {
     ) -> Buffer {
         let out = self.gpu.buffer((4 * numbers) as u64);
         let parameters = [outer, inner / 4, from, to].map(|n| n as u32);
-        let groups = (numbers / 4).div_ceil(THREADS as usize);
         self.gpu.run(
             "closer samples",
             &kernels::rows,
             &parameters,
             &[&out, source, starts, entries],
-            groups as u64,
+            numbers / 4,
         );
         self.gpu.submit();
         out
@@ -577,7 +563,7 @@ impl DeviceMode {
         let at = |t: usize| (t % nz) * nu + t / nz;
         let turned = |values: &[[f32; 2]]| {
             let values: Vec<[f32; 2]> = (0..nu * nz).map(|t| values[at(t)]).collect();
-            gpu.upload(bytemuck::cast_slice(&values))
+            gpu.upload(&values)
         };
         let transfer = match &mode.transfer {
             Transfer::Steps {
@@ -587,7 +573,7 @@ impl DeviceMode {
             } => DeviceTransfer::Steps {
                 start: turned(start),
                 step: turned(step),
-                passing: gpu.upload(bytemuck::cast_slice(passing)),
+                passing: gpu.upload(passing),
             },
             Transfer::Each(depths) => DeviceTransfer::Each(
                 (depths.iter())
@@ -630,7 +616,7 @@ impl<'a> Power<'a> {
                     &kernels::transfer,
                     &parameters,
                     &[&self.values, start, step, passing],
-                    all.div_ceil(THREADS as usize) as u64,
+                    all,
                 );
                 &self.values
             }
@@ -666,7 +652,7 @@ impl Sums {
         };
         Sums {
             sums: sums.iter().map(&mut placed).collect(),
-            entries: gpu.upload(bytemuck::cast_slice(&entries)),
+            entries: gpu.upload(&entries),
             ring,
         }
     }
@@ -683,10 +669,7 @@ impl DeviceInterpolation {
             let entries: Vec<[u32; 2]> = (rows.entries.iter())
                 .map(|&(column, weight)| [column, weight.to_bits()])
                 .collect();
-            [
-                gpu.upload(bytemuck::cast_slice(&rows.starts)),
-                gpu.upload(bytemuck::cast_slice(&entries)),
-            ]
+            [gpu.upload(&rows.starts), gpu.upload(&entries)]
         };
         DeviceInterpolation {
             forth: upload(&step.forth),

@@ -9,7 +9,7 @@
 //!
 //! **Cost** a thread has 16 voxels of a column, or 16 heights of a sample, and finds the weights for all of them.
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu};
 use crate::passes::ENTRY;
 use std::ops::Range;
 use tomolith_core::dose::DoseLayout;
@@ -74,10 +74,9 @@ impl DeviceRotation {
         let in_resin: Vec<u32> = rotation.in_resin.iter().map(|r| u32::from(*r)).collect();
         DeviceRotation {
             gpu: gpu.clone(),
-            turns: gpu.upload(bytemuck::cast_slice(&turns)),
-            in_resin: gpu.upload(bytemuck::cast_slice(&in_resin)),
-            tables: [along, across]
-                .map(|(_, taps)| gpu.upload(bytemuck::cast_slice(&taps.tables.concat()))),
+            turns: gpu.upload(&turns),
+            in_resin: gpu.upload(&in_resin),
+            tables: [along, across].map(|(_, taps)| gpu.upload(&taps.tables.concat())),
             parameters: parameters(rotation, output),
             sub_angles: rotation.sub_angles,
             columns: nx * ny,
@@ -183,9 +182,8 @@ impl DeviceRotation {
         buffers: &[&Buffer],
         rows: usize,
     ) {
-        let groups = (rows * self.row / LANES).div_ceil(THREADS as usize);
         self.gpu
-            .run(name, source, parameters, buffers, groups as u64);
+            .run(name, source, parameters, buffers, rows * self.row / LANES);
         self.gpu.submit();
     }
 }
