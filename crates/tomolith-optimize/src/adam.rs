@@ -17,7 +17,7 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -60,14 +60,8 @@ tomolith_core::keys! {
 pub struct Adam<F> {
     params: Params,
     steps: i32,
-    fields: Option<Fields<F>>,
-}
-
-struct Fields<F> {
-    gradient: F,
-    mean: F,
-    square: F,
-    step: F,
+    /// Gradient, its mean, the mean of its squares, step.
+    fields: Option<[F; 4]>,
 }
 
 /// The numbers of a checkpoint: steps done, under the method's name.
@@ -107,27 +101,13 @@ impl<F: Field> Adam<F> {
             fields: None,
         })
     }
-
-    fn fields(x: &F) -> Fields<F> {
-        Fields {
-            gradient: x.zeros_like(),
-            mean: x.zeros_like(),
-            square: x.zeros_like(),
-            step: x.zeros_like(),
-        }
-    }
 }
 
 impl<F: Field> Optimizer<F> for Adam<F> {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
-        let mut fields = self.fields.take().unwrap_or_else(|| Self::fields(x));
-        let Fields {
-            gradient,
-            mean,
-            square,
-            step,
-        } = &mut fields;
+        let mut fields = self.fields.take().unwrap_or_else(|| zeros(x));
+        let [gradient, mean, square, step] = &mut fields;
         problem.gradient(x, at, gradient)?;
         self.steps += 1;
         let k = self.steps;
@@ -166,7 +146,8 @@ impl<F: Field> Optimizer<F> for Adam<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let fields = (self.fields.as_ref()).map(|f| [("mean", &f.mean), ("square", &f.square)]);
+        let fields = self.fields.as_ref();
+        let fields = fields.map(|[_, mean, square, _]| [("mean", mean), ("square", square)]);
         Memory::of(
             SavedNumbers { adam: self.steps },
             fields.as_slice().as_flattened(),
@@ -177,9 +158,9 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         let SavedNumbers { adam } = read_saved_numbers(memory)?;
         self.steps = adam;
         if adam > 0 {
-            let mut fields = Self::fields(x);
-            let saved = &mut [("mean", &mut fields.mean), ("square", &mut fields.square)];
-            read_saved_fields(memory, saved)?;
+            let mut fields = zeros(x);
+            let [_, mean, square, _] = &mut fields;
+            read_saved_fields(memory, &mut [("mean", mean), ("square", square)])?;
             self.fields = Some(fields);
         }
         Ok(())

@@ -26,7 +26,7 @@
 use super::alternating::AlternatingHalf;
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_numbers,
+    Requirements, Step, read, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,12 +50,8 @@ pub struct Params {
 pub struct Bclp<F> {
     params: Params,
     steps: u64,
-    fields: Option<Fields<F>>,
-}
-
-struct Fields<F> {
-    gradient: F,
-    step: F,
+    /// Gradient, step.
+    fields: Option<[F; 2]>,
 }
 
 /// The numbers of a checkpoint: steps done, under the method's name.
@@ -104,7 +100,7 @@ impl<F: Field> Bclp<F> {
         problem: &mut Problem<F>,
         x: &F,
         at: &mut Position<F>,
-        fields: &mut Fields<F>,
+        [gradient, step]: &mut [F; 2],
     ) -> Result<f64> {
         if let Some(half) = half {
             // The cotangent is taken anew after the step
@@ -113,21 +109,15 @@ impl<F: Field> Bclp<F> {
                 return Ok(0.0);
             }
         }
-        problem.gradient(x, at, &mut fields.gradient)?;
-        let step = self.params.step as f32;
-        let sums = fields
-            .step
-            .project_step(x, &fields.gradient, step, problem.bounds(x));
+        problem.gradient(x, at, gradient)?;
+        let sums = step.project_step(x, gradient, self.params.step as f32, problem.bounds(x));
         Ok(sums.square)
     }
 }
 
 impl<F: Field> Optimizer<F> for Bclp<F> {
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
-        let mut fields = self.fields.take().unwrap_or_else(|| Fields {
-            gradient: x.zeros_like(),
-            step: x.zeros_like(),
-        });
+        let mut fields = self.fields.take().unwrap_or_else(|| zeros(x));
         let half = self
             .params
             .alternate
@@ -139,7 +129,7 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
         }
         let mut length = 0.0;
         if square > 0.0 || square.is_nan() {
-            problem.full_step(x, &fields.step, at)?;
+            problem.full_step(x, &fields[1], at)?;
             length = self.params.step;
         }
         self.steps += 1;

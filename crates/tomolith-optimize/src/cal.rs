@@ -28,7 +28,7 @@
 use super::filter::{Filter, target_projection};
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -59,24 +59,8 @@ tomolith_core::keys! {
 pub struct Cal<F> {
     params: Params,
     saved: SavedNumbers,
-    fields: Option<Fields<F>>,
-}
-
-struct Fields<F> {
-    /// A(σ − T), to within its factor.
-    delta: F,
-    before: F,
-    scratch: F,
-}
-
-impl<F: Field> Fields<F> {
-    fn like(x: &F) -> Self {
-        Fields {
-            delta: x.zeros_like(),
-            before: x.zeros_like(),
-            scratch: x.zeros_like(),
-        }
-    }
+    /// δ = A(σ − T), to within its factor, the one before, and work space.
+    fields: Option<[F; 3]>,
 }
 
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
@@ -128,14 +112,14 @@ impl<F: Field> Cal<F> {
         problem: &mut Problem<F>,
         x: &mut F,
         at: &mut Position<F>,
-    ) -> Result<Fields<F>> {
+    ) -> Result<[F; 3]> {
         let projection = target_projection(problem, self.params.filter, x)?;
-        let mut fields = Fields::like(x);
+        let mut fields = zeros(x);
         self.saved.inverse = projection.inverse();
         *x = projection.patterns;
         x.clamp(0.0, f32::INFINITY);
         x.scale(self.saved.inverse as f32);
-        self.saved.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        self.saved.largest = problem.evaluate_scaled(x, &mut fields[2], at)?;
         Ok(fields)
     }
 
@@ -162,24 +146,25 @@ impl<F: Field> Optimizer<F> for Cal<F> {
             Some(fields) => fields,
             None => self.begin(problem, x, at)?,
         };
-        std::mem::swap(&mut fields.delta, &mut fields.before);
-        self.error(problem, x, at, &mut fields.delta)?;
+        let [delta, before, scratch] = &mut fields;
+        std::mem::swap(delta, before);
+        self.error(problem, x, at, delta)?;
         let m = self.params.momentum;
         let past = m / (1.0 - m.powi(self.saved.cal + 2));
         let step = self.params.learning_rate * self.saved.inverse;
         x.scale(self.saved.largest as f32);
-        x.axpy((-step * (1.0 - m)) as f32, &fields.delta);
+        x.axpy((-step * (1.0 - m)) as f32, delta);
         if m > 0.0 {
-            x.axpy((-step * past) as f32, &fields.before);
+            x.axpy((-step * past) as f32, before);
         }
         x.clamp(0.0, f32::INFINITY);
         if let Some(levels) = problem.levels() {
             let open = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, f32::INFINITY));
             x.quantize(levels, &open);
         }
-        self.saved.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        self.saved.largest = problem.evaluate_scaled(x, scratch, at)?;
         self.saved.cal += 1;
-        let projected_gradient = fields.delta.norm();
+        let projected_gradient = delta.norm();
         self.fields = Some(fields);
         Ok(Step {
             projected_gradient,
@@ -201,15 +186,15 @@ impl<F: Field> Optimizer<F> for Cal<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let fields = self.fields.as_ref().map(|fields| ("delta", &fields.delta));
+        let fields = self.fields.as_ref().map(|[delta, ..]| ("delta", delta));
         Memory::of(self.saved, fields.as_slice())
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
         self.saved = read_saved_numbers(memory)?;
         if self.saved.cal > 0 {
-            let mut fields = Fields::like(x);
-            read_saved_fields(memory, &mut [("delta", &mut fields.delta)])?;
+            let mut fields = zeros(x);
+            read_saved_fields(memory, &mut [("delta", &mut fields[0])])?;
             self.fields = Some(fields);
         }
         Ok(())

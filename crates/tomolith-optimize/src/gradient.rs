@@ -14,7 +14,7 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
@@ -40,23 +40,8 @@ pub struct Gradient<F> {
     length: f64,
     alpha: f64,
     steps: u64,
-    fields: Option<Fields<F>>,
-}
-
-struct Fields<F> {
-    gradient: F,
-    before: F,
-    step: F,
-}
-
-impl<F: Field> Fields<F> {
-    fn like(x: &F) -> Self {
-        Fields {
-            gradient: x.zeros_like(),
-            before: x.zeros_like(),
-            step: x.zeros_like(),
-        }
-    }
+    /// Gradient, the one before, step.
+    fields: Option<[F; 3]>,
 }
 
 #[derive(Deserialize, Serialize)]
@@ -108,8 +93,8 @@ impl<F: Field> Gradient<F> {
     }
 
     /// t of the next step from the secant of the last one.
-    fn next_length(&self, fields: &Fields<F>) -> f64 {
-        let secant = fields.step.secant(&fields.before, &fields.gradient);
+    fn next_length(&self, gradient: &F, before: &F, step: &F) -> f64 {
+        let secant = step.secant(before, gradient);
         if secant.py <= 0.0 {
             return self.length * 4.0;
         }
@@ -126,30 +111,25 @@ impl<F: Field> Gradient<F> {
 impl<F: Field> Optimizer<F> for Gradient<F> {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
-        let mut fields = self.fields.take().unwrap_or_else(|| Fields::like(x));
-        std::mem::swap(&mut fields.gradient, &mut fields.before);
-        problem.gradient(x, at, &mut fields.gradient)?;
+        let mut fields = self.fields.take().unwrap_or_else(|| zeros(x));
+        let [gradient, before, step] = &mut fields;
+        std::mem::swap(gradient, before);
+        problem.gradient(x, at, gradient)?;
         let mut measured = None;
-        if let (true, Some(step)) = (self.params.momentum > 0.0, self.params.step) {
+        if let (true, Some(length)) = (self.params.momentum > 0.0, self.params.step) {
             // Steps follow the mean, but how near the end is the gradient says
-            let (gradient, bounds) = (&fields.gradient, problem.bounds(x));
-            let sums = fields.step.project_step(x, gradient, step as f32, bounds);
+            let sums = step.project_step(x, gradient, length as f32, problem.bounds(x));
             measured = Some(sums.square);
             let m = self.params.momentum as f32;
-            fields.gradient.scale(1.0 - m);
-            fields.gradient.axpy(m, &fields.before);
+            gradient.scale(1.0 - m);
+            gradient.axpy(m, before);
         }
         self.length = match self.params.step {
-            Some(step) => step,
-            None if self.steps == 0 => {
-                problem.first_length(x, &fields.gradient, &mut fields.step, at)?
-            }
-            None => self.next_length(&fields),
+            Some(length) => length,
+            None if self.steps == 0 => problem.first_length(x, gradient, step, at)?,
+            None => self.next_length(gradient, before, step),
         };
-        let sums =
-            fields
-                .step
-                .project_step(x, &fields.gradient, self.length as f32, problem.bounds(x));
+        let sums = step.project_step(x, gradient, self.length as f32, problem.bounds(x));
         let projected_gradient = if self.length == 0.0 {
             0.0
         } else {
@@ -158,10 +138,10 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let length = if sums.square == 0.0 {
             0.0
         } else if self.params.step.is_some() {
-            problem.full_step(x, &fields.step, at)?;
+            problem.full_step(x, step, at)?;
             self.length
         } else {
-            self.alpha = f64::from(problem.search(x, &fields.step, sums.slope, at)?.alpha);
+            self.alpha = f64::from(problem.search(x, step, sums.slope, at)?.alpha);
             self.alpha
         };
         self.steps += 1;
@@ -191,7 +171,8 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
             alpha: self.alpha,
             steps: self.steps,
         };
-        let fields = (self.fields.as_ref()).map(|f| [("gradient", &f.gradient), ("step", &f.step)]);
+        let fields = self.fields.as_ref();
+        let fields = fields.map(|[gradient, _, step]| [("gradient", gradient), ("step", step)]);
         Memory::of(saved, fields.as_slice().as_flattened())
     }
 
@@ -199,12 +180,9 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let saved: SavedNumbers = read_saved_numbers(memory)?;
         (self.length, self.alpha, self.steps) = (saved.length, saved.alpha, saved.steps);
         if self.steps > 0 {
-            let mut fields = Fields::like(x);
-            let saved = &mut [
-                ("gradient", &mut fields.gradient),
-                ("step", &mut fields.step),
-            ];
-            read_saved_fields(memory, saved)?;
+            let mut fields = zeros(x);
+            let [gradient, _, step] = &mut fields;
+            read_saved_fields(memory, &mut [("gradient", gradient), ("step", step)])?;
             self.fields = Some(fields);
         }
         Ok(())

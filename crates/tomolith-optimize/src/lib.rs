@@ -189,6 +189,11 @@ pub fn read_saved_fields<F: Field>(
     Ok(())
 }
 
+/// Zeros like `x`: the fields of a method that begins.
+fn zeros<F: Field, const N: usize>(x: &F) -> [F; N] {
+    std::array::from_fn(|_| x.zeros_like())
+}
+
 /// Reads the numbers of a saved memory.
 ///
 /// # Errors

@@ -42,7 +42,7 @@ use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,13 +81,8 @@ tomolith_core::keys! {
 pub struct Osmo<F> {
     params: Params,
     steps: u64,
-    fields: Option<Fields<F>>,
-}
-
-struct Fields<F> {
-    /// Fᵀ M, of either sign.
-    model: F,
-    scratch: F,
+    /// Fᵀ M, of either sign, and work space.
+    fields: Option<[F; 2]>,
 }
 
 /// Which errors a half corrects, and whether those at the part's surface alone.
@@ -135,12 +130,12 @@ impl<F: Field> Osmo<F> {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn show(
         &self,
-        fields: &mut Fields<F>,
+        [model, scratch]: &mut [F; 2],
         problem: &mut Problem<F>,
         x: &mut F,
         at: &mut Position<F>,
     ) -> Result<()> {
-        x.copy_from(&fields.model);
+        x.copy_from(model);
         x.clamp(0.0, f32::INFINITY);
         let largest = x.max_abs();
         if largest > 0.0 {
@@ -151,9 +146,7 @@ impl<F: Field> Osmo<F> {
             x.quantize(levels, &shares);
         }
         x.clamp(self.params.inhibition as f32, f32::INFINITY);
-        problem
-            .evaluate_scaled(x, &mut fields.scratch, at)
-            .map(drop)
+        problem.evaluate_scaled(x, scratch, at).map(drop)
     }
 
     fn halves(&self) -> Vec<Half> {
@@ -180,7 +173,7 @@ impl<F: Field> Osmo<F> {
     fn half(
         &self,
         (half, is_of_edges): Half,
-        fields: &mut Fields<F>,
+        fields: &mut [F; 2],
         problem: &mut Problem<F>,
         x: &mut F,
         at: &mut Position<F>,
@@ -191,8 +184,9 @@ impl<F: Field> Osmo<F> {
             at.cotangent.multiply(problem.edges()?);
         }
         let square = at.cotangent.dot(&at.cotangent);
-        problem.project(x, &at.cotangent, &mut fields.scratch)?;
-        fields.model.axpy(1.0, &fields.scratch);
+        let [model, scratch] = fields;
+        problem.project(x, &at.cotangent, scratch)?;
+        model.axpy(1.0, scratch);
         self.show(fields, problem, x, at)?;
         Ok(square)
     }
@@ -203,10 +197,8 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         let mut fields = match self.fields.take() {
             Some(fields) => fields,
             None => {
-                let mut fields = Fields {
-                    model: target_projection(problem, self.params.filter, x)?.patterns,
-                    scratch: x.zeros_like(),
-                };
+                let projection = target_projection(problem, self.params.filter, x)?;
+                let mut fields = [projection.patterns, x.zeros_like()];
                 self.show(&mut fields, problem, x, at)?;
                 fields
             }
@@ -245,7 +237,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let fields = self.fields.as_ref().map(|fields| ("model", &fields.model));
+        let fields = self.fields.as_ref().map(|[model, _]| ("model", model));
         Memory::of(SavedNumbers { osmo: self.steps }, fields.as_slice())
     }
 
@@ -253,12 +245,9 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         let SavedNumbers { osmo } = read_saved_numbers(memory)?;
         self.steps = osmo;
         if osmo > 0 {
-            let mut model = x.zeros_like();
-            read_saved_fields(memory, &mut [("model", &mut model)])?;
-            self.fields = Some(Fields {
-                model,
-                scratch: x.zeros_like(),
-            });
+            let mut fields = zeros(x);
+            read_saved_fields(memory, &mut [("model", &mut fields[0])])?;
+            self.fields = Some(fields);
         }
         Ok(())
     }
