@@ -254,7 +254,7 @@ impl Case {
     pub(crate) fn try_run(
         &self,
         objective: &dyn Objective<HostField>,
-        optimizer: &mut dyn Optimizer<HostField>,
+        method: &mut dyn Optimizer<HostField>,
         steps: usize,
         bits: Option<u32>,
     ) -> (HostField, Vec<Vec<f32>>, Result<Outcome>) {
@@ -274,14 +274,8 @@ impl Case {
             seen.push(report.patterns.to_host());
             ControlFlow::Continue(())
         };
-        let outcome = run(
-            &mut problem,
-            optimizer,
-            &mut x,
-            &stop,
-            None,
-            &mut [&mut watch],
-        );
+        let observers = &mut [&mut watch as _];
+        let outcome = run(&mut problem, method, &mut x, &stop, None, observers);
         (x, seen, outcome)
     }
 }

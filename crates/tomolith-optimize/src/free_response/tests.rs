@@ -116,16 +116,8 @@ impl Known {
         x.fill(0.4);
         let row = OPTIMIZERS.iter().find(|row| row.name == method).unwrap();
         let made = (row.build)(&tomolith_core::check::example(row)).unwrap();
-        let mut method = made.make().unwrap();
-        let stop = Stop::after(iterations);
-        let outcome = run(
-            &mut problem,
-            method.as_mut(),
-            &mut x,
-            &stop,
-            checkpoints,
-            &mut [],
-        );
+        let (method, stop) = (&mut *made.make().unwrap(), Stop::after(iterations));
+        let outcome = run(&mut problem, method, &mut x, &stop, checkpoints, &mut []);
         (x, outcome.unwrap())
     }
 }

@@ -43,7 +43,7 @@ fn go(
 fn go_on(
     model: &Model,
     objective: &dyn Objective<HostField>,
-    optimizer: &mut dyn Optimizer<HostField>,
+    method: &mut dyn Optimizer<HostField>,
     stop: Stop,
     checkpoints: Option<&mut Checkpoints>,
     observers: Observers,
@@ -51,14 +51,7 @@ fn go_on(
     let flag = Work::new();
     let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
     let mut x = check::even_patterns(model, 0.5);
-    let outcome = run(
-        &mut problem,
-        optimizer,
-        &mut x,
-        &stop,
-        checkpoints,
-        observers,
-    );
+    let outcome = run(&mut problem, method, &mut x, &stop, checkpoints, observers);
     (x, outcome)
 }
 
@@ -152,15 +145,8 @@ fn canceling_keeps_the_best() {
         }
         ControlFlow::Continue(())
     };
-    let outcome = run(
-        &mut problem,
-        &mut newton(),
-        &mut x,
-        &Stop::after(50),
-        None,
-        &mut [&mut cancel],
-    )
-    .unwrap();
+    let (method, stop, observers) = (&mut newton(), Stop::after(50), &mut [&mut cancel as _]);
+    let outcome = run(&mut problem, method, &mut x, &stop, None, observers).unwrap();
     assert_eq!(
         (outcome.reason, outcome.history.len()),
         (StopReason::Canceled, 5)
@@ -442,23 +428,14 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
     let refusal = |row: &tomolith_core::kind::Kind<crate::BuildOptimizer>,
                    model: &dyn DoseModel<Field = HostField>,
                    bits: Option<u32>| {
-        let mut optimizer = (row.build)(&tomolith_core::check::example(row))
-            .unwrap()
-            .make()
-            .unwrap();
+        let made = (row.build)(&tomolith_core::check::example(row)).unwrap();
+        let (method, stop) = (&mut *made.make().unwrap(), Stop::after(1));
         let mut problem = Problem::new(model, &*l2, &[Limits::default()], &flag)
             .unwrap()
             .with_bits(bits)
             .unwrap();
         let mut x = model.new_patterns().unwrap();
-        let outcome = run(
-            &mut problem,
-            &mut *optimizer,
-            &mut x,
-            &Stop::after(1),
-            None,
-            &mut [],
-        );
+        let outcome = run(&mut problem, method, &mut x, &stop, None, &mut []);
         assert!(outcome.is_ok() || problem.counters == Counters::default());
         outcome.err().map(|e| e.to_string())
     };
@@ -501,7 +478,7 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
         if name == "gradient" {
             section.value["step"] = 0.5.into();
         }
-        let mut optimizer = (row.build)(&section).unwrap().make().unwrap();
+        let method = &mut *(row.build)(&section).unwrap().make().unwrap();
         let mut problem = Problem::new(&model, &*l2, &limits, &flag)
             .unwrap()
             .with_bits(Some(4))
@@ -515,15 +492,8 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
             off = off.or_else(|| report.patterns.as_slice().iter().copied().find(wrong));
             ControlFlow::Continue(())
         };
-        let outcome = run(
-            &mut problem,
-            &mut *optimizer,
-            &mut x,
-            &Stop::after(15),
-            None,
-            &mut [&mut watch],
-        );
-        let outcome = outcome.unwrap();
+        let (stop, observers) = (Stop::after(15), &mut [&mut watch as _]);
+        let outcome = run(&mut problem, method, &mut x, &stop, None, observers).unwrap();
         assert_eq!(off, None, "{name} leaves the levels");
         assert!(
             outcome.loss < 0.8 * outcome.history[0].loss,

@@ -78,17 +78,10 @@ impl Watched {
             watch(report);
             ControlFlow::Continue(())
         };
-        let mut optimizer = Lbfgs::new(lbfgs::Params::default()).unwrap();
+        let method = &mut Lbfgs::new(lbfgs::Params::default()).unwrap();
         let stop = Stop::after(until);
         let observers: &mut [&mut dyn crate::Observer<HostField>] = &mut [&mut see];
-        let outcome = run(
-            &mut problem,
-            &mut optimizer,
-            &mut x,
-            &stop,
-            checkpoints,
-            observers,
-        );
+        let outcome = run(&mut problem, method, &mut x, &stop, checkpoints, observers);
         (x, outcome.unwrap())
     }
 }
