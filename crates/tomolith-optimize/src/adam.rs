@@ -16,8 +16,8 @@
 //! rise, the best patterns are kept. **Cost** one forward and one adjoint call a step; four pattern fields.
 
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -154,7 +154,7 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         )
     }
 
-    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, _: &Problem<F>, x: &F) -> Result<()> {
         let SavedNumbers { adam } = read_saved_numbers(memory)?;
         self.steps = adam;
         if adam > 0 {

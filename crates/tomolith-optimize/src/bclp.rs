@@ -25,8 +25,8 @@
 
 use super::alternating::AlternatingHalf;
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_numbers, zeros,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -148,7 +148,7 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
         Memory::of::<F>(SavedNumbers { bclp: self.steps }, &[])
     }
 
-    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, _: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, _: &Problem<F>, _: &F) -> Result<()> {
         let SavedNumbers { bclp } = read_saved_numbers(memory)?;
         self.steps = bclp;
         Ok(())

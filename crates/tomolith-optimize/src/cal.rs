@@ -27,8 +27,8 @@
 
 use super::filter::{Filter, target_projection};
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -190,7 +190,7 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         Memory::of(self.saved, fields.as_slice())
     }
 
-    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, _: &Problem<F>, x: &F) -> Result<()> {
         self.saved = read_saved_numbers(memory)?;
         if self.saved.cal > 0 {
             let mut fields = zeros(x);

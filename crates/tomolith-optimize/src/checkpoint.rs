@@ -18,7 +18,7 @@
 
 use super::keep::Best;
 use super::run::Row;
-use super::{CheckpointReader, Counters, Memory, SavedArray};
+use super::{Counters, Memory, SavedArray};
 use safetensors::Dtype;
 use safetensors::tensor::{Metadata, TensorInfo};
 use schemars::JsonSchema;
@@ -653,6 +653,20 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
+    /// The numbers of the optimizer's memory.
+    #[must_use]
+    pub fn numbers(&self) -> &serde_json::Value {
+        &self.header.numbers
+    }
+
+    /// Fills a buffer with the bytes of an array of the optimizer's memory.
+    ///
+    /// # Errors
+    /// When there is no array of that name and size.
+    pub fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
+        self.read(&format!("memory.{name}"), bytes)
+    }
+
     /// What of it a run goes on from: of ranks that share the patterns these alone.
     #[must_use]
     pub fn contents(&self) -> Contents {
@@ -749,16 +763,6 @@ impl Checkpoint {
             return Err(damaged(&self.path, &found));
         }
         Ok(())
-    }
-}
-
-impl CheckpointReader for Checkpoint {
-    fn numbers(&self) -> &serde_json::Value {
-        &self.header.numbers
-    }
-
-    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
-        self.read(&format!("memory.{name}"), bytes)
     }
 }
 

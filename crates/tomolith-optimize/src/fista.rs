@@ -28,8 +28,8 @@
 //! power iteration; four pattern fields and a dose field.
 
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_fields, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -286,12 +286,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         Memory::of(self.saved, fields.as_slice().as_flattened())
     }
 
-    fn restore(
-        &mut self,
-        memory: &mut dyn CheckpointReader,
-        problem: &Problem<F>,
-        x: &F,
-    ) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, problem: &Problem<F>, x: &F) -> Result<()> {
         self.saved = read_saved_numbers(memory)?;
         if self.saved.lipschitz[0] > 0.0 {
             let mut fields = Self::fields(problem, x)?;

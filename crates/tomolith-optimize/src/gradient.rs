@@ -13,8 +13,8 @@
 //! the step, 12 for its secant, 12 to move. Memory: three pattern vectors (step and two gradients).
 
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
@@ -176,7 +176,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         Memory::of(saved, fields.as_slice().as_flattened())
     }
 
-    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, _: &Problem<F>, x: &F) -> Result<()> {
         let saved: SavedNumbers = read_saved_numbers(memory)?;
         (self.length, self.alpha, self.steps) = (saved.length, saved.alpha, saved.steps);
         if self.steps > 0 {

@@ -31,8 +31,8 @@
 //! in addition to x (pairs are stored in 16 bits) and two dose fields.
 
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_fields, read_saved_numbers,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read, read_saved_fields, read_saved_numbers,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -386,12 +386,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         memory
     }
 
-    fn restore(
-        &mut self,
-        memory: &mut dyn CheckpointReader,
-        problem: &Problem<F>,
-        x: &F,
-    ) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, problem: &Problem<F>, x: &F) -> Result<()> {
         let curvature: Curvature = read_saved_numbers(memory)?;
         if curvature.s_y.len() != self.params.memory {
             return Err(Error::unsupported(

@@ -30,7 +30,7 @@ pub mod requirements;
 pub mod run;
 pub mod start;
 
-pub use checkpoint::{Checkpoints, Contents, DiskSpace};
+pub use checkpoint::{Checkpoint, Checkpoints, Contents, DiskSpace};
 pub use free_response::{FreeParameter, FreeResponse, Respond};
 pub use gap::Gap;
 pub use keep::{Keep, KeptBy, KeptIterate};
@@ -79,12 +79,7 @@ pub trait Optimizer<F: Field>: Send {
     ///
     /// # Errors
     /// A sentence, when the memory is another method's or of other settings.
-    fn restore(
-        &mut self,
-        memory: &mut dyn CheckpointReader,
-        problem: &Problem<F>,
-        x: &F,
-    ) -> Result<()>;
+    fn restore(&mut self, memory: &mut Checkpoint, problem: &Problem<F>, x: &F) -> Result<()>;
 }
 
 /// What a step did.
@@ -162,23 +157,12 @@ impl<'a> SavedArray<'a> {
     }
 }
 
-/// A saved memory, read back.
-pub trait CheckpointReader {
-    /// The numbers.
-    fn numbers(&self) -> &serde_json::Value;
-    /// Fills a buffer with the bytes of an array.
-    ///
-    /// # Errors
-    /// When there is no array of that name and size.
-    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()>;
-}
-
 /// Reads fields back from a saved memory, by their names.
 ///
 /// # Errors
 /// When there is no array of such a name and size.
 pub fn read_saved_fields<F: Field>(
-    reader: &mut dyn CheckpointReader,
+    reader: &mut Checkpoint,
     fields: &mut [(&str, &mut F)],
 ) -> Result<()> {
     for (name, field) in fields {
@@ -198,9 +182,7 @@ fn zeros<F: Field, const N: usize>(x: &F) -> [F; N] {
 ///
 /// # Errors
 /// When they are those of another method.
-pub fn read_saved_numbers<T: serde::de::DeserializeOwned>(
-    reader: &dyn CheckpointReader,
-) -> Result<T> {
+pub fn read_saved_numbers<T: serde::de::DeserializeOwned>(reader: &Checkpoint) -> Result<T> {
     T::deserialize(reader.numbers()).map_err(|_| {
         Error::unsupported("the checkpoint", "its memory is that of another optimizer")
     })

@@ -41,8 +41,8 @@
 use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
 use super::{
-    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, Step, read, read_saved_fields, read_saved_numbers, zeros,
+    BuildOptimizer, Checkpoint, MakeOptimizer, Memory, Optimizer, Position, Problem, Requirements,
+    Step, read, read_saved_fields, read_saved_numbers, zeros,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -241,7 +241,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         Memory::of(SavedNumbers { osmo: self.steps }, fields.as_slice())
     }
 
-    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut Checkpoint, _: &Problem<F>, x: &F) -> Result<()> {
         let SavedNumbers { osmo } = read_saved_numbers(memory)?;
         self.steps = osmo;
         if osmo > 0 {

@@ -2,7 +2,7 @@
 //! iterate. Nothing here uses the code under test but the run itself.
 
 use super::{
-    CheckpointReader, Limits, Memory, Optimizer, Outcome, Position, Problem, Requirements, Step,
+    Checkpoint, Limits, Memory, Optimizer, Outcome, Position, Problem, Requirements, Step,
     StepReport, Stop, read_saved_numbers, run,
 };
 use crate::start::StartInput;
@@ -147,7 +147,7 @@ impl<S: Send> Optimizer<HostField> for Scripted<S> {
 
     fn restore(
         &mut self,
-        memory: &mut dyn CheckpointReader,
+        memory: &mut Checkpoint,
         _: &Problem<HostField>,
         _: &HostField,
     ) -> Result<()> {
