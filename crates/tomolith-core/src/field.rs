@@ -119,30 +119,37 @@ impl Bounds {
         self.blocks.is_empty()
     }
 
-    /// The elements of a field, block by block.
-    fn split<'a>(&self, mut values: &'a [f32]) -> Vec<&'a [f32]> {
-        assert_eq!(
-            values.len(),
-            self.len(),
-            "a field of another length than its bounds"
-        );
-        self.blocks
-            .iter()
-            .map(|b| values.split_off(..b.len).unwrap_or_default())
-            .collect()
+    fn must_fit(&self, values: &[f32]) {
+        let of_another_length = "a field of another length than its bounds";
+        assert_eq!(values.len(), self.len(), "{of_another_length}");
     }
 
-    /// The elements of a field, block by block, to change.
-    fn split_mut<'a>(&self, mut values: &'a mut [f32]) -> Vec<&'a mut [f32]> {
-        assert_eq!(
-            values.len(),
-            self.len(),
-            "a field of another length than its bounds"
-        );
-        self.blocks
-            .iter()
-            .map(|b| values.split_off_mut(..b.len).unwrap_or_default())
-            .collect()
+    /// The elements of some fields, block by block.
+    fn split<'a, const N: usize>(
+        &'a self,
+        fields: [&'a HostField; N],
+    ) -> impl Iterator<Item = (&'a BoundedBlock, [&'a [f32]; N])> {
+        let mut fields = fields.map(HostField::as_slice);
+        fields.iter().for_each(|values| self.must_fit(values));
+        self.blocks.iter().map(move |b| {
+            let of_block = |values: &mut &'a [f32]| values.split_off(..b.len);
+            let parts = fields.each_mut().map(of_block);
+            (b, parts.map(Option::unwrap_or_default))
+        })
+    }
+
+    /// The elements of a field to change, and of others, block by block.
+    fn split_mut<'a, const N: usize>(
+        &'a self,
+        field: &'a mut HostField,
+        others: [&'a HostField; N],
+    ) -> impl Iterator<Item = (&'a mut [f32], &'a BoundedBlock, [&'a [f32]; N])> {
+        let mut values = field.as_mut_slice();
+        self.must_fit(values);
+        self.split(others).map(move |(b, others)| {
+            let values = values.split_off_mut(..b.len).unwrap_or_default();
+            (values, b, others)
+        })
     }
 }
 
@@ -502,48 +509,35 @@ impl Field for HostField {
     }
 
     fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
-        let blocks = bounds.split_mut(self.as_mut_slice()).into_iter();
-        blocks
-            .zip(bounds.split(step.as_slice()))
-            .zip(&bounds.blocks)
-            .par_each(|((x, step), b)| {
-                for (x, step) in x.iter_mut().zip(step) {
-                    *x = clamp(*x + a * step, b.lower, b.upper);
-                }
-            });
+        let blocks = bounds.split_mut(self, [step]);
+        blocks.par_each(|(x, b, [step])| {
+            for (x, step) in x.iter_mut().zip(step) {
+                *x = clamp(*x + a * step, b.lower, b.upper);
+            }
+        });
     }
 
     fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums {
-        let sums: Vec<[f64; 2]> = bounds
-            .split_mut(self.as_mut_slice())
-            .into_iter()
-            .zip(bounds.split(x.as_slice()))
-            .zip(bounds.split(gradient.as_slice()))
-            .zip(&bounds.blocks)
-            .par_map(|(((step, x), gradient), b)| {
-                for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
-                    *step = clamp(x - t * gradient, b.lower, b.upper) - x;
-                }
-                [dot_block(gradient, step), dot_block(step, step)]
-            });
+        let blocks = bounds.split_mut(self, [x, gradient]);
+        let sums: Vec<[f64; 2]> = blocks.par_map(|(step, b, [x, gradient])| {
+            for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
+                *step = clamp(x - t * gradient, b.lower, b.upper) - x;
+            }
+            [dot_block(gradient, step), dot_block(step, step)]
+        });
         let [slope, square] = self.totals(&sums);
         StepSums { slope, square }
     }
 
     fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Bounds) {
-        bounds
-            .split_mut(self.as_mut_slice())
-            .into_iter()
-            .zip(bounds.split(x.as_slice()))
-            .zip(bounds.split(gradient.as_slice()))
-            .zip(&bounds.blocks)
-            .par_each(|(((free, x), gradient), b)| {
-                // Both sides of every comparison, as vectors do: a branch per pixel is guessed wrong
-                for ((free, &x), &g) in free.iter_mut().zip(x).zip(gradient) {
-                    let held = (x <= b.lower) & (g >= 0.0) | (x >= b.upper) & (g <= 0.0);
-                    *free = if held { 0.0 } else { g };
-                }
-            });
+        let blocks = bounds.split_mut(self, [x, gradient]);
+        blocks.par_each(|(free, b, [x, gradient])| {
+            // Both sides of every comparison, as vectors do: a branch per pixel is guessed wrong
+            for ((free, &x), &g) in free.iter_mut().zip(x).zip(gradient) {
+                let held = (x <= b.lower) & (g >= 0.0) | (x >= b.upper) & (g <= 0.0);
+                *free = if held { 0.0 } else { g };
+            }
+        });
     }
 
     fn change_where_moved(&mut self, step: &Self, before: &Self, after: &Self) {
@@ -663,22 +657,18 @@ impl Field for HostField {
     fn quantize(&mut self, levels: u32, bounds: &Bounds) {
         let top = self.max_abs();
         let steps = levels.saturating_sub(1).max(1) as f32;
-        bounds
-            .split_mut(self.as_mut_slice())
-            .into_iter()
-            .zip(&bounds.blocks)
-            .par_each(|(values, b)| {
-                let upper = if b.upper.is_finite() { b.upper } else { top };
-                let width = upper - b.lower;
-                if width > 0.0 {
-                    for value in values {
-                        let share = (clamp(*value, b.lower, upper) - b.lower) / width;
-                        // Half goes up, as in the patterns that are written
-                        let level = (share * steps + 0.5).floor() / steps;
-                        *value = clamp(b.lower + level * width, b.lower, upper);
-                    }
+        bounds.split_mut(self, []).par_each(|(values, b, [])| {
+            let upper = if b.upper.is_finite() { b.upper } else { top };
+            let width = upper - b.lower;
+            if width > 0.0 {
+                for value in values {
+                    let share = (clamp(*value, b.lower, upper) - b.lower) / width;
+                    // Half goes up, as in the patterns that are written
+                    let level = (share * steps + 0.5).floor() / steps;
+                    *value = clamp(b.lower + level * width, b.lower, upper);
                 }
-            });
+            }
+        });
     }
 
     fn to_host(&self) -> Vec<f32> {

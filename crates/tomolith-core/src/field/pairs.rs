@@ -283,44 +283,37 @@ impl Products {
 }
 
 /// The pairs of one block of the bounds.
-struct BlockMut<'a> {
+struct Block<L, A> {
     slots: usize,
-    lines: &'a mut [Line],
-    live: &'a mut [u32],
-}
-
-/// The pairs of one block of the bounds.
-struct BlockRef<'a> {
-    slots: usize,
-    lines: &'a [Line],
-    live: &'a [u32],
+    lines: L,
+    live: A,
 }
 
 impl HostPairs {
-    fn blocks_mut(&mut self) -> Vec<BlockMut<'_>> {
+    fn blocks_mut(&mut self) -> impl Iterator<Item = Block<&mut [Line], &mut [u32]>> {
         let slots = self.slots;
         let (mut lines, mut live) = (&mut self.lines[..], &mut self.live[..]);
-        let block = |&chunks: &usize| BlockMut {
-            slots,
-            lines: lines
-                .split_off_mut(..chunks * slots * CHUNK)
-                .unwrap_or_default(),
-            live: live.split_off_mut(..chunks * CHUNK).unwrap_or_default(),
-        };
-        self.chunks.iter().map(block).collect()
+        self.chunks.iter().map(move |chunks| {
+            let of_lines = chunks * slots * CHUNK;
+            Block {
+                slots,
+                lines: lines.split_off_mut(..of_lines).unwrap_or_default(),
+                live: live.split_off_mut(..chunks * CHUNK).unwrap_or_default(),
+            }
+        })
     }
 
-    fn blocks(&self) -> Vec<BlockRef<'_>> {
-        let slots = self.slots;
-        let (mut lines, mut live) = (&self.lines[..], &self.live[..]);
-        let block = |&chunks: &usize| BlockRef {
-            slots,
-            lines: lines
-                .split_off(..chunks * slots * CHUNK)
-                .unwrap_or_default(),
-            live: live.split_off(..chunks * CHUNK).unwrap_or_default(),
-        };
-        self.chunks.iter().map(block).collect()
+    fn blocks(&self) -> impl Iterator<Item = Block<&[Line], &[u32]>> {
+        let (slots, mut begin) = (self.slots, 0);
+        self.chunks.iter().map(move |chunks| {
+            let range = begin * CHUNK..(begin + chunks) * CHUNK;
+            begin += chunks;
+            Block {
+                slots,
+                lines: &self.lines[range.start * slots..range.end * slots],
+                live: &self.live[range],
+            }
+        })
     }
 }
 
@@ -371,7 +364,7 @@ impl LatestBlock<'_> {
     }
 }
 
-impl BlockMut<'_> {
+impl Block<&mut [Line], &mut [u32]> {
     fn record(self, len: usize, slot: usize, fields: &LatestBlock) -> Products {
         let slots = self.slots;
         let groups = len.div_ceil(LANES);
@@ -433,7 +426,7 @@ impl DirectionBlock<'_> {
     }
 }
 
-impl BlockRef<'_> {
+impl Block<&[Line], &[u32]> {
     fn direction(
         self,
         direction: &Direction,
@@ -517,39 +510,28 @@ impl Pairs<HostField> for HostPairs {
 
     fn record(&mut self, slot: usize, latest: &Latest<HostField>, bounds: &Bounds) -> Products {
         let slots = self.slots;
-        let products: Vec<Products> = self
-            .blocks_mut()
-            .into_iter()
-            .zip(&bounds.blocks)
-            .zip(bounds.split(latest.x.as_slice()))
-            .zip(bounds.split(latest.step.as_slice()))
-            .zip(bounds.split(latest.gradient.as_slice()))
-            .zip(bounds.split(latest.change.as_slice()))
-            .zip(bounds.split(latest.image.as_slice()))
-            .par_map(
-                |((((((block, bounds), x), step), gradient), change), image)| {
-                    let (alpha, bounds) = (
-                        f32x8::splat(latest.alpha),
-                        Limits::new(bounds.lower, bounds.upper),
-                    );
-                    let len = x.len();
-                    let [x, step, gradient, change, image] =
-                        [x, step, gradient, change, image].map(Groups::of);
-                    block.record(
-                        len,
-                        slot,
-                        &LatestBlock {
-                            x,
-                            step,
-                            gradient,
-                            change,
-                            image,
-                            alpha,
-                            bounds,
-                        },
-                    )
-                },
-            );
+        let Latest {
+            x,
+            step,
+            gradient,
+            change,
+            image,
+            alpha,
+        } = *latest;
+        let fields = bounds.split([x, step, gradient, change, image]);
+        let products: Vec<Products> = self.blocks_mut().zip(fields).par_map(|(block, (b, f))| {
+            let [x, step, gradient, change, image] = f.map(Groups::of);
+            let fields = LatestBlock {
+                x,
+                step,
+                gradient,
+                change,
+                image,
+                alpha: f32x8::splat(alpha),
+                bounds: Limits::new(b.lower, b.upper),
+            };
+            block.record(b.len, slot, &fields)
+        });
         let mut sum = Products::zeros(slots);
         products.iter().for_each(|block| sum.add(block));
         sum.of_all_ranks(latest.x)
@@ -564,28 +546,19 @@ impl Pairs<HostField> for HostPairs {
         bounds: &Bounds,
         out: &mut HostField,
     ) -> DirectionSums {
-        let sums: Vec<[f64; 4]> = self
+        let blocks = self
             .blocks()
-            .into_iter()
-            .zip(&bounds.blocks)
-            .zip(bounds.split(x.as_slice()))
-            .zip(bounds.split(gradient.as_slice()))
-            .zip(bounds.split(image.as_slice()))
-            .zip(bounds.split_mut(out.as_mut_slice()))
-            .par_map(|(((((block, bounds), x), gradient), image), out)| {
-                let [x, gradient, image] = [x, gradient, image].map(Groups::of);
-                let bounds = Limits::new(bounds.lower, bounds.upper);
-                block.direction(
-                    direction,
-                    &DirectionBlock {
-                        x,
-                        gradient,
-                        image,
-                        bounds,
-                    },
-                    out,
-                )
-            });
+            .zip(bounds.split_mut(out, [x, gradient, image]));
+        let sums: Vec<[f64; 4]> = blocks.par_map(|(block, (out, b, fields))| {
+            let [x, gradient, image] = fields.map(Groups::of);
+            let fields = DirectionBlock {
+                x,
+                gradient,
+                image,
+                bounds: Limits::new(b.lower, b.upper),
+            };
+            block.direction(direction, &fields, out)
+        });
         let [slope, square, gradient_slope, gradient_square] = x.totals(&sums);
         DirectionSums {
             slope,
