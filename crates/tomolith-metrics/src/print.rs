@@ -80,15 +80,16 @@ pub struct Print<'a> {
     threshold: Option<f64>,
     gray: Option<(&'a Volume<f32>, f64)>,
     has_distance: bool,
-    target_surface: Arc<TargetSurface>,
-    most_triangles: usize,
-    most_corners: usize,
+    pub(super) target_surface: Arc<TargetSurface>,
+    pub(super) most_triangles: usize,
+    pub(super) most_corners: usize,
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
     compared: OnceLock<Option<Compared>>,
     errors: OnceLock<Option<GrayErrors>>,
-    work: Work,
+    /// What stops work on it.
+    pub(super) work: Work,
 }
 
 /// Share of the work on a print that is counting; the rest are distances of surfaces.
@@ -236,23 +237,6 @@ impl<'a> Print<'a> {
     pub fn with_most_corners(mut self, most: usize) -> Self {
         self.most_corners = most.max(1);
         self
-    }
-
-    pub(super) fn target_surface(&self) -> &TargetSurface {
-        &self.target_surface
-    }
-
-    pub(super) fn most_triangles(&self) -> usize {
-        self.most_triangles
-    }
-
-    pub(super) fn most_corners(&self) -> usize {
-        self.most_corners
-    }
-
-    /// What stops work on it.
-    pub(super) fn work(&self) -> &Work {
-        &self.work
     }
 
     /// Where the voxels are.

@@ -224,14 +224,17 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let threshold = print.gel_threshold()?;
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
-    let work = print.work().part(MEASURING);
+    let work = print.work.part(MEASURING);
     // A closed surface has twice as many triangles as corners
-    let most = print.most_triangles() / 2;
+    let most = print.most_triangles / 2;
     let (printed, target) = loop {
         let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
         let printed = surface(grid, coarsened, threshold, fill, most, &work.part(FINDING));
-        let target =
-            || (print.target_surface()).reference(print, coarsened, most, &work.part(FINDING));
+        let target = || {
+            print
+                .target_surface
+                .reference(print, coarsened, most, &work.part(FINDING))
+        };
         if let Some(both) = printed.and_then(|printed| Some((printed, target()?))) {
             break both;
         }
@@ -255,7 +258,7 @@ fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
         coarsened,
         work,
     } = surfaces(print, most_voxels)?;
-    let each = |surface: &Isosurface| surface.corners.len().div_ceil(print.most_corners()).max(1);
+    let each = |surface: &Isosurface| surface.corners.len().div_ceil(print.most_corners).max(1);
     let steps = [each(&printed), each(&target.surface)];
     let mut samples = distances(&printed, &target.tree, steps[0], &work.part(NEAREST));
     let of_print = TriangleTree::new(&printed, &work);

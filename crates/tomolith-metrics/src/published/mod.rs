@@ -132,7 +132,7 @@ pub fn of_print(
     if target.grid.shape != dose.grid.shape || target.values.len() != dose.values.len() {
         return Err(Error::shape("target", dose.grid.shape, target.grid.shape));
     }
-    let work = print.work();
+    let work = &print.work;
     // One pass for all numbers below
     let lowest = scan.part().map(|p| f64::from(p.min));
     scan.look_at(lowest.as_slice(), &order::ranks(scan, options.trim_percent));
