@@ -216,6 +216,25 @@ impl Error {
         self
     }
 
+    /// The error for the key that named a file, where that file could not be read or does not hold what it should; other errors pass unchanged.
+    #[must_use]
+    pub fn of_file(self, key: impl Into<String>) -> Self {
+        match self {
+            Error::Format {
+                path,
+                found,
+                accepted,
+            } => Error::config(key, format!("{}: {found}", path.display()), accepted),
+            Error::Mesh {
+                path,
+                found,
+                accepted,
+            } => Error::config(key, format!("mesh {}: {found}", path.display()), accepted),
+            Error::Io { .. } => Error::config(key, self.to_string(), "a file that can be read"),
+            other => other,
+        }
+    }
+
     /// Puts `prefix` before the key of a [`Error::Config`]; other errors pass unchanged.
     #[must_use]
     pub fn under(mut self, prefix: &str) -> Self {

@@ -523,14 +523,7 @@ fn gradients(volume: &Volume<f32>) -> Vec<f64> {
 
 /// Numbers per voxel from a file, 0 or above.
 fn read(key: &str, path: &Path, grid: &VolumeGrid) -> Result<Vec<f32>> {
-    let (shape, values) = read_volume(path).map_err(|e| match e {
-        Error::Format {
-            path,
-            found,
-            accepted,
-        } => Error::config(key, format!("{}: {found}", path.display()), accepted),
-        _ => Error::config(key, e.to_string(), "a file that can be read"),
-    })?;
+    let (shape, values) = read_volume(path).map_err(|e| e.of_file(key))?;
     if shape != grid.shape {
         return Err(Error::config(
             key,

@@ -126,7 +126,7 @@ impl Assembly {
             let repair = spec.repair.unwrap_or_default();
             let (mesh, file) = (meshes[i].clone(), file_of(spec, &bodies[i]));
             let shape = MeshShape::placed(mesh, &map, &file, repair, work)
-                .map_err(|e| at_key(e, &key(i)))?;
+                .map_err(|e| e.of_file(key(i)))?;
             groups[bodies[i].role as usize].0.push(shape.clone());
             shapes.push((i, shape));
         }
@@ -182,7 +182,7 @@ fn meshes(
             ));
         }
         let mut file_content = mesh_unit::read(&folder.join(&file), unit, &key(first))
-            .map_err(|e| at_key(e, &format!("{}.mesh", key(first))))?;
+            .map_err(|e| e.of_file(format!("{}.mesh", key(first))))?;
         let is_same = |i: &usize| {
             (file_of(spec, &bodies[*i]), unit_of(spec, &bodies[*i])) == (file.clone(), unit)
         };
@@ -283,18 +283,6 @@ fn share_out(
         last,
         format!("no body has component {}", missing.join(", ")),
     )
-}
-
-/// Says which key named a file that cannot be used.
-fn at_key(error: Error, key: &str) -> Error {
-    let accepted = match &error {
-        Error::Io { .. } => "a file that can be read".to_owned(),
-        Error::Mesh { accepted, .. } => accepted.clone(),
-        _ => return error,
-    };
-    let text = error.to_string();
-    let found = text.split("; accepted: ").next().unwrap_or(&text);
-    Error::config(key, found, accepted)
 }
 
 /// Share of the smaller body that two bodies may have in common.

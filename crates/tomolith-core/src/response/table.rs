@@ -257,15 +257,7 @@ impl Response for Table {
 
 /// The file that a section names, read; errors name the key.
 pub(super) fn read(section: &Section, file: &std::path::Path) -> Result<Curve> {
-    Curve::read(&section.file(file)).map_err(|e| match e {
-        Error::Format {
-            found,
-            accepted,
-            path,
-        } => Error::config("file", format!("{}: {found}", path.display()), accepted),
-        Error::Io { .. } => Error::config("file", e.to_string(), "a file that can be read"),
-        other => other,
-    })
+    Curve::read(&section.file(file)).map_err(|e| e.of_file("file"))
 }
 
 /// The row of the table.

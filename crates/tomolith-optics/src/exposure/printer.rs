@@ -689,14 +689,5 @@ fn brightness(spec: &PrinterSpec, base: &Path, canvas: [usize; 2]) -> Result<Opt
 
 /// Says which key named a file that cannot be used.
 fn at_key(key: &str, error: Error) -> Error {
-    let (found, accepted) = match &error {
-        Error::Format {
-            path,
-            found,
-            accepted,
-        } => (format!("{}: {found}", path.display()), accepted.clone()),
-        Error::Io { .. } => (error.to_string(), "a file that can be read".to_owned()),
-        _ => return error.under(&format!("printer.{key}")),
-    };
-    Error::config(format!("printer.{key}"), found, accepted)
+    error.of_file("").under(&format!("printer.{key}"))
 }
