@@ -158,6 +158,22 @@ pub(crate) fn standing_by(
     Ok(doses.swap_remove(0))
 }
 
+/// Doses of all species like those of the optimization, by these lights, on other voxels than its own.
+pub(crate) fn doses_on(
+    grid: &VolumeGrid,
+    lights: &[Light],
+    job: &ResolvedJob,
+    patterns: &[Patterns],
+    work: &Work,
+) -> Result<Vec<Volume<f32>>> {
+    let lit = patterns.iter().map(lit_rows).collect();
+    let lights = lit_alone(lights.to_vec(), lit);
+    let (family, optics) = (job.optics.model.as_ref(), &job.optics);
+    let making = &work.part(0.1);
+    let (model, _) = made(family, Purpose::Probe, job, optics, &lights, grid, making)?;
+    simulated(&model, patterns, work)
+}
+
 /// Doses of all species by light that is not scattered, the vial standing still: less than all of it.
 pub(crate) fn unscattered(
     job: &ResolvedJob,

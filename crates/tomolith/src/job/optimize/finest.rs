@@ -2,7 +2,7 @@
 //!
 //! **Method** After the last iteration the ceiling falls by √2 where little light lies above that, else it is doubled, and some iterations more show what the print is then.
 //! A lower one that prints as well as the job tolerates is taken. Where the double prints better than that, the ceiling rises by √2, and where that is not enough once more,
-//! each time for some iterations. The history goes on with what is taken. A lower one that the coarser level refused by far is not tried: of the published boat that saves an eighth
+//! each time for some iterations; then the next double is tried, up to eight times the ceiling. The history goes on with what is taken. A lower one that the coarser level refused by far is not tried: of the published boat that saves an eighth
 //! of the optimization.
 //!
 //! **What is compared** IoU, VER and Γ. The mean deviation is not: on these voxels it changes from iteration to iteration by up to a tenth, whatever the ceiling is, where a
@@ -24,6 +24,8 @@ use std::time::Instant;
 pub(crate) const TRY: usize = 4;
 /// Iterations for each step that is taken.
 const EACH: usize = 8;
+/// By how much it rises at most.
+const MOST: f64 = 8.0;
 /// By how much the ceiling falls, and the share of the light above that up to which it is tried.
 const LOWER: f64 = std::f64::consts::FRAC_1_SQRT_2;
 const SLACK: f64 = 0.02;
@@ -151,12 +153,29 @@ impl GoOn<'_, '_> {
         Ok((outcome, trial))
     }
 
-    /// Doubles the ceiling, and raises it where that prints better.
+    /// Raises the ceiling as long as its double prints better.
     fn raise(
         &mut self,
-        ended: Ended<'_>,
+        mut ended: Ended<'_>,
         before: Vec<CeilingQuality>,
     ) -> Result<(Outcome, FinestTrial)> {
+        let (mut trial, mut qualities) = self.towards_double(&mut ended, before)?;
+        let mut last = trial.changed_by;
+        while last >= 2.0 && trial.changed_by < MOST {
+            let (further, found) = self.towards_double(&mut ended, qualities)?;
+            last = further.changed_by;
+            trial.changed_by *= last;
+            qualities = found;
+        }
+        Ok((ended.outcome, trial))
+    }
+
+    /// Doubles the ceiling, and raises it where that prints better, up to there; how good the print is then.
+    fn towards_double(
+        &mut self,
+        ended: &mut Ended<'_>,
+        before: Vec<CeilingQuality>,
+    ) -> Result<(FinestTrial, Vec<CeilingQuality>)> {
         let lowest = ended.bounds.to_vec();
         let mut x = ended.x.clone();
         let limits = scaled(&lowest, ended.highest, 2.0);
@@ -168,19 +187,19 @@ impl GoOn<'_, '_> {
             before,
             changed_by: 1.0,
         };
-        let mut outcome = ended.outcome;
         let mut qualities = trial.before.clone();
         for step in [std::f64::consts::SQRT_2, 2.0] {
-            if outcome.reason == StopReason::Canceled || self.is_as_good(&qualities, &trial.after) {
+            let is_over = ended.outcome.reason == StopReason::Canceled;
+            if is_over || self.is_as_good(&qualities, &trial.after) {
                 break;
             }
             trial.changed_by = step;
             ended
                 .bounds
                 .clone_from_slice(&scaled(&lowest, ended.highest, step));
-            outcome = self.on(ended.x, ended.bounds, &outcome)?;
+            ended.outcome = self.on(ended.x, ended.bounds, &ended.outcome)?;
             qualities = stage.qualities(ended.x, false, &trial.after, self.work)?;
         }
-        Ok((outcome, trial))
+        Ok((trial, qualities))
     }
 }

@@ -94,6 +94,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) reason: String,
     /// The response that was found, where its parameters are unknowns.
     pub(crate) found: Option<FoundResponse>,
+    /// Finer voxels on which ceilings are judged, once they are needed.
+    pub(crate) finer: OnceCell<Vec<Voxels>>,
 }
 
 impl Around<'_> {
@@ -134,6 +136,7 @@ impl<'a> Stage<'a> {
                 dark: Vec::new(),
                 reason,
                 found: None,
+                finer: OnceCell::new(),
             });
         }
         let optics = job.optimizing().lit_by(&level.lights);
@@ -162,6 +165,7 @@ impl<'a> Stage<'a> {
             dark,
             reason: plan.reason,
             found: None,
+            finer: OnceCell::new(),
         })
     }
 

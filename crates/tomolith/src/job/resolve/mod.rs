@@ -131,6 +131,8 @@ pub struct ResolvedJob {
     pub(crate) name: String,
     /// At how many angles the evaluation averages a frame, light by light.
     pub(crate) evaluated_angles: Vec<usize>,
+    /// Whether the program chooses voxels of the optimization that are finer than pixels, as far as time allows.
+    pub(crate) sees_within_pixels: bool,
     /// What hardens in the resin: one species at least.
     pub(crate) species: Vec<Species>,
     /// How patterns are searched.
@@ -272,6 +274,7 @@ impl ResolvedJob {
             species: &species,
         };
         let levels = refinement::levels(asked, &optics, family.as_ref(), &grid, bounds_mm);
+        let sees_within_pixels = refinement::is_free(asked, family.capabilities().refines);
         notes.extend(refinement::held_back(asked, family.as_ref()));
         let finest = &levels[levels.len() - 1];
         if refinement::are_sharpened(asked, family.as_ref(), finest) {
@@ -291,6 +294,7 @@ impl ResolvedJob {
         let evaluated_angles = refinement::evaluated_angles(spec, &optics.lights, bounds_mm);
         let mut resolved = ResolvedJob {
             evaluated_angles,
+            sees_within_pixels,
             name: spec.target.name(),
             warnings: [
                 named(&species, of_shapes),

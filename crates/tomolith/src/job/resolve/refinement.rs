@@ -20,6 +20,7 @@
 //!
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
+use super::ResolvedJob;
 use super::goal::Goal;
 use super::method::Method;
 use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
@@ -301,9 +302,29 @@ pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<St
     })
 }
 
+/// Most voxels on which trials of a ceiling are judged that are finer than those of the optimization: those of the evaluation (docs/fidelity.md).
+const MOST_JUDGED: usize = 30_000_000;
+
+/// The voxels on which a print of a level is judged while ceilings are tried: where the program does not choose voxels so fine that the optimization sees inside of
+/// pixels, as much finer as those of the evaluation are, as far as they are affordable.
+pub(crate) fn judged(job: &ResolvedJob, level: &Level, family: &dyn ModelFamily) -> VolumeGrid {
+    let finest = job.levels.last().map_or(&job.grid, |level| &level.grid);
+    let finer = (finest.pitch_mm / job.fine_grid().pitch_mm).round();
+    let has_paths = family.monte_carlo_paths().is_some();
+    let most = match job.sees_within_pixels || job.ranks.is_some() || has_paths {
+        true => 1,
+        false => finer as usize,
+    };
+    (1..=most)
+        .rev()
+        .map(|refine| level.grid.refined(refine))
+        .find(|grid| grid.len() <= MOST_JUDGED)
+        .unwrap_or_else(|| level.grid.clone())
+}
+
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
-fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
+pub(crate) fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
     let mut goals = asked.species.iter().map(|species| &species.goal);
     may_refine(asked, refines) && goals.all(Goal::sees_fractions)
 }
