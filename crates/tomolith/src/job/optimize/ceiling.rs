@@ -481,7 +481,8 @@ impl Stage<'_> {
     /// Doses of patterns, and the voxels on which they are judged: this level's, or finer ones where the optimization does not see inside of pixels.
     fn judged(&self, x: &HostField, work: &Work) -> Result<(Vec<Volume<f32>>, &[Voxels])> {
         let (job, level) = (self.job, self.level);
-        let grid = refinement::judged(job, level, job.optics.family(&level.grid)?.as_ref());
+        let finer = job.ranks.as_ref().map_or(job.extent.judged_finer, |_| 1);
+        let grid = refinement::judged(&level.grid, finer);
         if grid == level.grid {
             let mut dose = self.model.new_dose()?;
             self.model.dose(x, &mut dose, work)?;

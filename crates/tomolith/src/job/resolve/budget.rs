@@ -35,6 +35,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         finest: last.grid.clone(),
         fields: with_fields(spec, &resolved.species),
         in_time: in_time(spec),
+        judged_finer: refinement::judged_finer(resolved, family.as_ref()),
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
         // Dose and target, and a label, and a level of eighths
@@ -57,6 +58,9 @@ impl ResolvedJob {
     pub(crate) fn fit_memory(&mut self) -> Result<()> {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
         let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
+        while !fits(self.extent.optimization_mb()) && self.extent.judged_finer > 1 {
+            self.extent.judged_finer -= 1;
+        }
         let asked = self.extent.memory;
         while !fits(self.extent.optimization_mb()) && self.extent.memory > LEAST_MEMORY {
             self.extent.memory -= 1;

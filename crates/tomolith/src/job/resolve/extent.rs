@@ -4,6 +4,7 @@
 //! asks for ([`Demand::cost`]). An optimization that ends before its last iteration takes less.
 
 use super::optics::Optics;
+use super::refinement;
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
@@ -71,6 +72,8 @@ pub(crate) struct Extent {
     pub(crate) memory: usize,
     /// Objectives whose weights or bands differ from voxel to voxel.
     pub(crate) fields: usize,
+    /// How many times finer than the optimization's the voxels are on which ceilings are judged, at most.
+    pub(crate) judged_finer: usize,
     /// Volumes of the job's voxels that a print in time takes in the evaluation, 0 without one.
     pub(crate) in_time: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
@@ -141,6 +144,7 @@ impl Extent {
             rows: rows_beside(optics, grid),
             memory,
             fields: 0,
+            judged_finer: 1,
             in_time: 0,
             canvas: 0,
             cached_entries: None,
@@ -229,6 +233,13 @@ impl Extent {
         f64::from(u8::from(along_rows)) * self.work(1) * 4.0
     }
 
+    /// Bytes of the finer voxels on which ceilings are judged.
+    fn of_judged(&self) -> f64 {
+        let judged = refinement::judged(&self.finest, self.judged_finer);
+        let prints = self.species as f64;
+        f64::from(u8::from(judged != self.finest)) * lanes(&judged) * prints * BYTES_PER_FINE_VOXEL
+    }
+
     /// Memory of the optimization, MB: of the voxels, of the pixels, of frames at work.
     pub(crate) fn optimization(&self) -> [f64; 3] {
         let vectors = (2 * self.memory + VECTORS) as f64;
@@ -241,7 +252,7 @@ impl Extent {
         // One entry for each patch of voxels and each frame, at least: larger voxels save most of them
         let entries = self.models() * self.cached_bytes.unwrap_or_default();
         [
-            (lanes(&self.finest) * per_voxel + self.of_rows() + entries) / 1e6,
+            (lanes(&self.finest) * per_voxel + self.of_rows() + entries + self.of_judged()) / 1e6,
             (self.models() * (self.scratch(1) + self.bytes_of_walks()) + patterns) / 1e6,
             self.working_mb[0],
         ]
@@ -348,6 +359,7 @@ pub(crate) mod tests {
             rows: None,
             memory: 10,
             fields: 0,
+            judged_finer: 1,
             in_time: 0,
             canvas: 0,
             cached_entries: None,

@@ -305,21 +305,24 @@ pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<St
 /// Most voxels on which trials of a ceiling are judged that are finer than those of the optimization: those of the evaluation (docs/fidelity.md).
 const MOST_JUDGED: usize = 30_000_000;
 
-/// The voxels on which a print of a level is judged while ceilings are tried: where the program does not choose voxels so fine that the optimization sees inside of
-/// pixels, as much finer as those of the evaluation are, as far as they are affordable.
-pub(crate) fn judged(job: &ResolvedJob, level: &Level, family: &dyn ModelFamily) -> VolumeGrid {
+/// How many times finer than those of a level the voxels are on which its prints are judged while ceilings are tried: as many as in the evaluation, unless the
+/// program chooses voxels so fine that the optimization sees inside of pixels, or paths are drawn at random.
+pub(crate) fn judged_finer(job: &ResolvedJob, family: &dyn ModelFamily) -> usize {
+    let is_fine = job.sees_within_pixels || family.monte_carlo_paths().is_some();
+    if is_fine || !job.bounds().seek_ceiling() || job.schedule().is_some() {
+        return 1;
+    }
     let finest = job.levels.last().map_or(&job.grid, |level| &level.grid);
-    let finer = (finest.pitch_mm / job.fine_grid().pitch_mm).round();
-    let has_paths = family.monte_carlo_paths().is_some();
-    let most = match job.sees_within_pixels || job.ranks.is_some() || has_paths {
-        true => 1,
-        false => finer as usize,
-    };
-    (1..=most)
+    (finest.pitch_mm / job.fine_grid().pitch_mm).round() as usize
+}
+
+/// These voxels, at most so many times finer, as far as they are affordable.
+pub(crate) fn judged(grid: &VolumeGrid, finer: usize) -> VolumeGrid {
+    (1..=finer)
         .rev()
-        .map(|refine| level.grid.refined(refine))
+        .map(|refine| grid.refined(refine))
         .find(|grid| grid.len() <= MOST_JUDGED)
-        .unwrap_or_else(|| level.grid.clone())
+        .unwrap_or_else(|| grid.clone())
 }
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
