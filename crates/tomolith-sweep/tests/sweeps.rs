@@ -378,14 +378,14 @@ fn a_share_of_the_memory_that_holds_no_run_is_told_at_its_own_key() {
     let sweep_of = |gb: f64, side_by_side: usize| {
         format!("{SWEEP}[resources]\nmemory_gb = {gb}\nside_by_side = {side_by_side}\n")
     };
-    // One run needs 1 to 50 MB
-    let message = bench.refusal(&sweep_of(0.05, 1000));
+    // One run needs some 100 MB
+    let message = bench.refusal(&sweep_of(0.11, 1000));
     contains!(
         message,
         "resources.side_by_side: 0 MB are left for each run, and one needs about",
-        "at a time in 50 MB; or a larger resources.memory_gb"
+        "at a time in 110 MB; or a larger resources.memory_gb"
     );
-    bench.write("sweep.toml", &sweep_of(0.05, 1));
+    bench.write("sweep.toml", &sweep_of(0.11, 1));
     bench.plan("out");
 }
 

@@ -482,12 +482,18 @@ impl Printer {
         Ok(patterns)
     }
 
+    /// Whether some of its pixels give no light.
+    #[must_use]
+    pub fn has_dead_pixels(&self) -> bool {
+        let mut brightness = self.brightness.iter().flat_map(|all| all.iter());
+        brightness.any(|&bright| bright <= 0.0)
+    }
+
     /// Which pixels of the patterns the device can light at all, for the first copy: those that lie on dead pixels alone it cannot.
     /// None when it can light every one.
     #[must_use]
     pub fn lightable(&self) -> Option<PixelMask> {
-        let brightness = self.brightness.as_ref()?;
-        if brightness.iter().all(|&bright| bright > 0.0) {
+        if !self.has_dead_pixels() {
             return None;
         }
         let (rows, columns) = (self.pattern.rows, self.pattern.columns);

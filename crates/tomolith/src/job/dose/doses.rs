@@ -158,9 +158,9 @@ pub(crate) fn standing_by(
     Ok(doses.swap_remove(0))
 }
 
-/// Doses of all species like those of the optimization, by these lights, on other voxels than its own.
+/// Doses of all species by these lights, on voxels that are so many times finer than those of the optimization.
 pub(crate) fn doses_on(
-    grid: &VolumeGrid,
+    (grid, refine): (&VolumeGrid, usize),
     lights: &[Light],
     job: &ResolvedJob,
     patterns: &[Patterns],
@@ -170,7 +170,8 @@ pub(crate) fn doses_on(
     let lights = lit_alone(lights.to_vec(), lit);
     let (family, optics) = (job.optics.model.as_ref(), &job.optics);
     let making = &work.part(0.1);
-    let (model, _) = made(family, Purpose::Probe, job, optics, &lights, grid, making)?;
+    let purpose = Purpose::Evaluate { refine };
+    let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
     simulated(&model, patterns, work)
 }
 

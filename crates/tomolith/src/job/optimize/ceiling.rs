@@ -374,11 +374,12 @@ pub(crate) fn are_good(
     let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
     let within = |(other, quality): (&CeilingQuality, &CeilingQuality)| {
         let [other, quality] = [other, quality].map(CeilingQuality::numbers);
-        // Where nothing is known of surfaces, that is not more
+        // Where nothing is known of surfaces or of Γ, it is not worse
         let is_farther = quality[2] > other[2] * (1.0 + tolerance.deviation);
+        let is_narrower = quality[3] < other[3] * (1.0 - tolerance.latitude);
         quality[0] >= other[0] - wider * tolerance.iou
             && quality[1] <= other[1] + wider * tolerance.ver
-            && quality[3] >= other[3] * (1.0 - tolerance.latitude)
+            && !is_narrower
             && !is_farther
     };
     others.iter().zip(qualities).all(within)
@@ -491,7 +492,8 @@ impl Stage<'_> {
             return Ok((doses.collect(), &self.voxels));
         }
         let patterns = self.patterns(&mut x.clone());
-        let doses = doses_on(&grid, &level.lights, job, &patterns, work)?;
+        let finer = (level.grid.pitch_mm / grid.pitch_mm).round() as usize;
+        let doses = doses_on((&grid, finer), &level.lights, job, &patterns, work)?;
         if self.finer.get().is_none() {
             let _ = self.finer.set(job.voxels(&grid, &work.aside())?);
         }

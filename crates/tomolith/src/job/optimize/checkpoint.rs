@@ -190,7 +190,8 @@ pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
             stop.relative_loss.is_some_and(|part| part > 0.0),
         ),
     ];
-    for (key, _) in given.iter().filter(|(_, is_given)| *is_given) {
+    let chooses = |is_given: bool| is_given && resolved.stop_chooses_voxels;
+    for (key, _) in given.iter().filter(|(_, is_given)| chooses(*is_given)) {
         tables[key] = true.into();
     }
     if let Some(unlit) = of_unlit(resolved) {

@@ -153,6 +153,19 @@ impl GoOn<'_, '_> {
         Ok((outcome, trial))
     }
 
+    /// Whether a print is better than another one: in IoU and VER it loses no more than the job tolerates, and in some number the other one does.
+    fn is_better(&self, qualities: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
+        let of_voxels = |all: &[CeilingQuality]| -> Vec<CeilingQuality> {
+            let of_one = |quality: &CeilingQuality| CeilingQuality {
+                gamma: None,
+                ..*quality
+            };
+            all.iter().map(of_one).collect()
+        };
+        self.is_as_good(&of_voxels(qualities), &of_voxels(other))
+            && !self.is_as_good(other, qualities)
+    }
+
     /// Raises the ceiling as long as its double prints better.
     fn raise(
         &mut self,
@@ -190,7 +203,7 @@ impl GoOn<'_, '_> {
         let mut qualities = trial.before.clone();
         for step in [std::f64::consts::SQRT_2, 2.0] {
             let is_over = ended.outcome.reason == StopReason::Canceled;
-            if is_over || self.is_as_good(&qualities, &trial.after) {
+            if is_over || !self.is_better(&trial.after, &qualities) {
                 break;
             }
             trial.changed_by = step;

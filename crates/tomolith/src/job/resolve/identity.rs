@@ -1,6 +1,7 @@
 //! What tells a job from others: hashes of its tables, of the files that they name, and of voxels.
 
 use crate::error::{Error, Result};
+use crate::exposure::Printer;
 use crate::field::BLOCK;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
@@ -61,8 +62,9 @@ pub(crate) fn of_unlit(resolved: &ResolvedJob) -> Option<u64> {
     let lights = resolved.optics.lights.iter();
     let masks = lights.flat_map(|light| &light.selection.masks);
     let of_mask = |sum, open: &bool| hash_on(sum, &[u8::from(*open)]);
-    resolved
-        .has_dim_pixels()
+    let mut printers = resolved.printers.iter().flatten();
+    printers
+        .any(Printer::has_dead_pixels)
         .then(|| (masks.flat_map(|mask| mask.as_slice())).fold(FNV, of_mask))
 }
 

@@ -133,6 +133,8 @@ pub struct ResolvedJob {
     pub(crate) evaluated_angles: Vec<usize>,
     /// Whether the program chooses voxels of the optimization that are finer than pixels, as far as time allows.
     pub(crate) sees_within_pixels: bool,
+    /// Whether ends of the run that ask the job's own voxels keep the program from choosing others.
+    pub(crate) stop_chooses_voxels: bool,
     /// What hardens in the resin: one species at least.
     pub(crate) species: Vec<Species>,
     /// How patterns are searched.
@@ -274,7 +276,9 @@ impl ResolvedJob {
             species: &species,
         };
         let levels = refinement::levels(asked, &optics, family.as_ref(), &grid, bounds_mm);
-        let sees_within_pixels = refinement::is_free(asked, family.capabilities().refines);
+        let refines = family.capabilities().refines;
+        let sees_within_pixels = refinement::is_free(asked, refines);
+        let stop_chooses_voxels = refinement::depends_on_stop(asked, refines);
         notes.extend(refinement::held_back(asked, family.as_ref()));
         let finest = &levels[levels.len() - 1];
         if refinement::are_sharpened(asked, family.as_ref(), finest) {
@@ -295,6 +299,7 @@ impl ResolvedJob {
         let mut resolved = ResolvedJob {
             evaluated_angles,
             sees_within_pixels,
+            stop_chooses_voxels,
             name: spec.target.name(),
             warnings: [
                 named(&species, of_shapes),

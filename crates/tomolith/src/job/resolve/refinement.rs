@@ -337,6 +337,18 @@ fn may_refine(asked: Asked<'_>, refines: Refines) -> bool {
     refines == Refines::Voxels && !asks_of_voxels(asked.spec) && !asked.method.needs_target()
 }
 
+/// Whether the voxels are the program's choice unless the run ends by what the job's own voxels say.
+pub(crate) fn depends_on_stop(asked: Asked<'_>, refines: Refines) -> bool {
+    match refines {
+        Refines::Voxels => asked
+            .species
+            .iter()
+            .all(|species| species.goal.sees_fractions()),
+        Refines::Cells => asked.species.iter().all(|species| species.has_cells),
+        _ => false,
+    }
+}
+
 /// Whether a run ends by what the job's own voxels say, or prints in time on them.
 fn asks_of_voxels(spec: &JobSpec) -> bool {
     let in_time = spec.schedule.as_ref();
