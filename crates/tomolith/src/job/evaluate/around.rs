@@ -3,7 +3,7 @@
 //! Light passes the resin between wall and part before it is weakened. Where that is deep, the wall solidifies first: a gear of 3 mm in a vial of 7.6 mm radius has an IoU of
 //! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
 //!
-//! **Method** Dose of the written patterns, the vial standing, in 64² voxels across the vial and 8 over the height of the job's; those within the box of the job do not count. Of light that is scattered, what is not: less than all.
+//! **Method** Dose of the written patterns, the vial standing, in cubes of a sixty-fourth of the vial's width over the height of the job's voxels; those within the box of the job do not count. Of light that is scattered, what is not: less than all.
 //! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
 
 use super::SpeciesPrint;
@@ -15,9 +15,8 @@ use crate::models::Work;
 use crate::optics::light::Light;
 use crate::report::number::significant;
 
-/// Voxels across the vial, and along its height.
+/// Voxels across the vial.
 const ACROSS: usize = 64;
-const SLICES: usize = 8;
 
 /// Solid voxels from which on there is something.
 const LEAST: usize = 4;
@@ -122,13 +121,15 @@ impl Around {
     }
 }
 
-/// Voxels across a vial, over the heights of a grid.
+/// Cubes across a vial, over the heights of a grid.
 fn across(grid: &VolumeGrid, radius: f64) -> VolumeGrid {
-    let height_mm = grid.shape[0] as f64 * grid.height_mm / SLICES as f64;
+    let pitch_mm = 2.0 * radius / ACROSS as f64;
+    let height_mm = grid.shape[0] as f64 * grid.height_mm;
+    let slices = (height_mm / pitch_mm).round().max(1.0) as usize;
     VolumeGrid {
-        shape: [SLICES, ACROSS, ACROSS],
-        pitch_mm: 2.0 * radius / ACROSS as f64,
-        height_mm,
+        shape: [slices, ACROSS, ACROSS],
+        pitch_mm,
+        height_mm: pitch_mm,
         center_mm: [0.0, 0.0, grid.center_mm[2]],
     }
 }

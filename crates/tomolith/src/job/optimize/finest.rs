@@ -153,29 +153,26 @@ impl GoOn<'_, '_> {
         Ok((outcome, trial))
     }
 
-    /// Whether a print is better than another one: in IoU and VER it loses no more than the job tolerates, and in some number the other one does.
-    fn is_better(&self, qualities: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
-        let of_voxels = |all: &[CeilingQuality]| -> Vec<CeilingQuality> {
-            let of_one = |quality: &CeilingQuality| CeilingQuality {
-                gamma: None,
-                ..*quality
-            };
-            all.iter().map(of_one).collect()
-        };
-        self.is_as_good(&of_voxels(qualities), &of_voxels(other))
-            && !self.is_as_good(other, qualities)
+    /// Whether the IoU of no print is lower than that of another one by more than the job tolerates.
+    fn overlaps_as_well(&self, qualities: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
+        let tolerance = self.stage.job.bounds().tolerance.iou;
+        let mut pairs = qualities.iter().zip(other);
+        pairs.all(|(quality, other)| {
+            let least = other.iou.map_or(0.0, |iou| iou - tolerance);
+            quality.iou.is_some_and(|iou| iou >= least)
+        })
     }
 
-    /// Raises the ceiling as long as its double prints better.
+    /// Raises the ceiling where its double prints better, and on as long as no IoU is lower there.
     fn raise(
         &mut self,
         mut ended: Ended<'_>,
         before: Vec<CeilingQuality>,
     ) -> Result<(Outcome, FinestTrial)> {
-        let (mut trial, mut qualities) = self.towards_double(&mut ended, before)?;
+        let (mut trial, mut qualities) = self.towards_double(&mut ended, before, false)?;
         let mut last = trial.changed_by;
         while last >= 2.0 && trial.changed_by < MOST {
-            let (further, found) = self.towards_double(&mut ended, qualities)?;
+            let (further, found) = self.towards_double(&mut ended, qualities, true)?;
             last = further.changed_by;
             trial.changed_by *= last;
             qualities = found;
@@ -188,6 +185,7 @@ impl GoOn<'_, '_> {
         &mut self,
         ended: &mut Ended<'_>,
         before: Vec<CeilingQuality>,
+        must_overlap: bool,
     ) -> Result<(FinestTrial, Vec<CeilingQuality>)> {
         let lowest = ended.bounds.to_vec();
         let mut x = ended.x.clone();
@@ -203,7 +201,8 @@ impl GoOn<'_, '_> {
         let mut qualities = trial.before.clone();
         for step in [std::f64::consts::SQRT_2, 2.0] {
             let is_over = ended.outcome.reason == StopReason::Canceled;
-            if is_over || !self.is_better(&trial.after, &qualities) {
+            let is_worse = must_overlap && !self.overlaps_as_well(&trial.after, &qualities);
+            if is_over || is_worse || self.is_as_good(&qualities, &trial.after) {
                 break;
             }
             trial.changed_by = step;
