@@ -149,28 +149,24 @@ pub(crate) fn standing_by(
     patterns: &[Patterns],
     work: &Work,
 ) -> Result<Volume<f32>> {
-    let lit = patterns.iter().map(lit_rows).collect();
-    let lights = lit_alone(job.optics.lights_standing(), lit);
-    let (optics, grid) = (&job.optics, &job.grid);
-    let making = &work.part(0.1);
-    let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
-    let mut doses = simulated(&model, patterns, work)?;
+    let exposed = Exposed::new(&job.grid, job.optics.lights_standing());
+    let mut doses = doses_by(family, purpose, job, &exposed, patterns, work)?;
     Ok(doses.swap_remove(0))
 }
 
-/// Doses of all species by these lights, on voxels that are so many times finer than those of the optimization.
-pub(crate) fn doses_on(
-    (grid, refine): (&VolumeGrid, usize),
-    lights: &[Light],
+/// Doses of all species by a family for a purpose.
+pub(crate) fn doses_by(
+    family: Option<&Family>,
+    purpose: Purpose,
     job: &ResolvedJob,
+    exposed: &Exposed,
     patterns: &[Patterns],
     work: &Work,
 ) -> Result<Vec<Volume<f32>>> {
     let lit = patterns.iter().map(lit_rows).collect();
-    let lights = lit_alone(lights.to_vec(), lit);
-    let (family, optics) = (job.optics.model.as_ref(), &job.optics);
+    let lights = lit_alone(exposed.lights.clone(), lit);
+    let (optics, grid) = (&job.optics, &exposed.grid);
     let making = &work.part(0.1);
-    let purpose = Purpose::Evaluate { refine };
     let (model, _) = made(family, purpose, job, optics, &lights, grid, making)?;
     simulated(&model, patterns, work)
 }

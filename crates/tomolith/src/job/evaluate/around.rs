@@ -189,6 +189,14 @@ mod tests {
             "mm from the axis it gets",
             "with resin.absorption_per_mm = 0.25"
         );
+        // So does light that is no sheet, or is scattered
+        for light in [
+            "light[0].projector={ diverging = { pixel_pitch_mm = 0.1, distance_mm = 60.0 } }",
+            "resin.scattering_per_mm=0.2",
+        ] {
+            let found = warnings(&["resin.absorption_per_mm=1.5", light]);
+            assert_eq!(found.len(), 1, "{light}");
+        }
         // Voxels across the vial see it themselves
         let seen = [
             "resin.absorption_per_mm=1.5",

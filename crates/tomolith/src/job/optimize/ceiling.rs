@@ -25,14 +25,14 @@ use super::start::clip;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume};
-use crate::job::dose::doses::doses_on;
+use crate::job::dose::doses::{Exposed, doses_by};
 use crate::job::progress::Silent;
 use crate::job::resolve::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::resolve::refinement::{self, Level};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
-use crate::models::{Quantity, Work};
+use crate::models::{Purpose, Quantity, Work};
 use crate::objective::Objective;
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
@@ -237,7 +237,7 @@ fn bounding_start(job: &ResolvedJob) -> &dyn InitialPatterns {
 /// Whether the optimization may go on from what the search found: it sees inside of pixels, and nothing in the job counts from its start or asks for coarser
 /// levels of its own. Patterns for whole voxels of twice the width are a worse start than the job's, but where iterations are few: examples 12 and 14 lose 0.005 and
 /// 0.03 in IoU with them, and example 15 gains 0.04.
-fn may_begin_elsewhere(job: &ResolvedJob) -> bool {
+pub(super) fn may_begin_elsewhere(job: &ResolvedJob) -> bool {
     let stop = job.stop();
     let counts_from_start = stop.relative_loss.is_some() || stop.projected_gradient.is_some();
     let is_better = job.sees_within_pixels || stop.iterations < SETTLED;
@@ -492,8 +492,10 @@ impl Stage<'_> {
             return Ok((doses.collect(), &self.voxels));
         }
         let patterns = self.patterns(&mut x.clone());
-        let finer = (level.grid.pitch_mm / grid.pitch_mm).round() as usize;
-        let doses = doses_on((&grid, finer), &level.lights, job, &patterns, work)?;
+        let refine = (level.grid.pitch_mm / grid.pitch_mm).round() as usize;
+        let (purpose, family) = (Purpose::Evaluate { refine }, job.optics.model.as_ref());
+        let exposed = Exposed::new(&grid, level.lights.clone());
+        let doses = doses_by(family, purpose, job, &exposed, &patterns, work)?;
         if self.finer.get().is_none() {
             let _ = self.finer.set(job.voxels(&grid, &work.aside())?);
         }

@@ -2,6 +2,7 @@ use super::start::starting_patterns;
 use super::watch::{idle, is_measured};
 use crate::field::HostField;
 use crate::io::npy::{PatternPair, write_patterns};
+use crate::job::evaluate::evaluate_patterns;
 use crate::job::optimize::*;
 use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
@@ -202,6 +203,31 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
     assert_eq!(raised_from(0.5), (20, 1.0, 0.5));
     let (last, by, _) = raised_from(0.3);
     assert_eq!((last, by), (28, std::f64::consts::SQRT_2));
+}
+
+#[test]
+fn ceilings_of_whole_voxels_are_judged_as_the_evaluation_does_and_begin_with_the_start() {
+    let whole = "objective = { threshold = { surface = \"voxel\" } }\nevaluate = { refine = 2, sub_angles = 1 }";
+    let (resolved, voxels) = gear(whole);
+    let (run, silent) = (Work::new(), &mut crate::job::progress::Silent);
+    let level = resolved.levels.last().unwrap();
+    let stage = Stage::new(&resolved, &voxels, level, None, silent, &run).unwrap();
+    let mut x = stage.start(resolved.method.start.as_ref(), &run).unwrap();
+    let judged = stage.qualities(&x, false, &[], &run).unwrap();
+    let patterns = stage.patterns(&mut x);
+    let print = evaluate_patterns(&resolved, &voxels, &patterns, None, None, silent, &run).unwrap();
+    let evaluated = print.first().evaluation.measures.get("iou").unwrap();
+    assert!(
+        (judged[0].iou.unwrap() - evaluated).abs() < 1e-9,
+        "{judged:?} {evaluated}"
+    );
+    let own = gear(&whole.replace("refine = 2", "refine = 1"));
+    let on_own = Stage::new(&own.0, &own.1, level, None, silent, &run).unwrap();
+    let on_own = on_own.qualities(&x, false, &[], &run).unwrap();
+    assert!(on_own[0].iou > judged[0].iou, "{on_own:?} {judged:?}");
+    let goes_on = |stop: &str, more: &str| ceiling::may_begin_elsewhere(&gear_until(stop, more).0);
+    assert!(!goes_on("iterations = 30", whole) && goes_on("iterations = 29", whole));
+    assert!(goes_on("iterations = 30", ""));
 }
 
 #[test]
