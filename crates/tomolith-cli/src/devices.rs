@@ -49,7 +49,7 @@ fn line(adapter: &tomolith::gpu::Adapter) -> serde_json::Value {
 pub(crate) fn devices(json: bool) {
     done(Manner::with_json(json), json!({ "devices": [] }), || {
         say(
-            "cpu  this processor: the default\nthis program was built without graphics cards: build it with the feature `gpu` (docs/cards.md)",
+            "cpu  this processor: the default\nthis program was built without graphics cards: add `--features gpu` to the `cargo install` that builds it (docs/cards.md)",
         );
     });
 }

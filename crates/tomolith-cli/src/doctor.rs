@@ -131,7 +131,7 @@ fn cards() -> String {
 
 #[cfg(not(feature = "gpu"))]
 fn cards() -> String {
-    "this program was built without them".to_owned()
+    "this program was built without them (`--features gpu`: docs/cards.md)".to_owned()
 }
 
 fn job(text: &str) -> Result<Job> {

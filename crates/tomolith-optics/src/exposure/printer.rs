@@ -38,12 +38,16 @@
 //! let grid = PatternGrid::full_turn(1, 0.0, 2, 4, 0.1); // 2 rows of 4 columns
 //! let printer = Printer::new(&spec, ".".as_ref(), &grid, Rotation::Clockwise, 1).unwrap();
 //! let patterns = Patterns { grid, values: vec![0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 2.0] };
-//! let frames = printer.expose(&patterns, 8).unwrap();
+//! let mut frames = printer.expose(&patterns, 8).unwrap();
 //! assert_eq!(frames.full_scale, 4.0);
 //! // Above 0.5 the cubic is 0.25 + 0.375 t + 0.5 t² − 0.125 t³: half of the light at t = 0.438, the value 0.719
 //! assert_eq!(frames.values[..6], [0, 0, 255, 183, 0, 0]);
 //! let light = printer.light_of(&frames).unwrap();
 //! assert!((light.values[3] - 4.0).abs() < 1e-6 && (light.values[7] - 2.0).abs() < 0.02);
+//! // A white device shines on 24 pixels, of which the patterns have 8
+//! assert_eq!(printer.beside(&frames).unwrap(), 0.0);
+//! frames.values.fill(255);
+//! assert!((printer.beside(&frames).unwrap() - 16.0 / 24.0).abs() < 1e-9);
 //! ```
 
 use super::maps::read_map;
@@ -480,6 +484,33 @@ impl Printer {
             patterns.values[frame * pixels..][..pixels].copy_from_slice(&light);
         }
         Ok(patterns)
+    }
+
+    /// Share of the light of frames that falls beside all copies of the patterns, without what level 0 gives; 0 for dark frames.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the frames are not those of the device.
+    pub fn beside(&self, frames: &Quantized) -> Result<f64> {
+        same_shape("frames of the printer", &self.canvas_grid(), &frames.grid)?;
+        let tone = Tone::new(self.curve.as_ref(), frames.bits);
+        let mut even = Patterns::dark(self.pattern.clone());
+        even.values.fill(1.0);
+        let sums: Vec<[f64; 2]> = self.order.iter().enumerate().par_map(|(j, &frame)| {
+            let levels = &frames.values[j * self.device_pixels()..][..self.device_pixels()];
+            let mut covered = vec![0.0; self.device_pixels()];
+            self.each_pixel(&even, frame, |device, share| covered[device] += share);
+            let light = |device: usize| {
+                let lit = tone.intensity(levels[device]) - self.dark_light();
+                lit.max(0.0) * self.bright(device)
+            };
+            let pixels = covered.iter().enumerate();
+            pixels.fold([0.0; 2], |[all, beside], (device, share)| {
+                let light = light(device);
+                [all + light, beside + light * (1.0 - share).max(0.0)]
+            })
+        });
+        let [all, beside] = (sums.iter()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+        Ok(if all > 0.0 { beside / all } else { 0.0 })
     }
 
     /// Whether some of its pixels give no light.

@@ -17,6 +17,9 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+/// Share of the light of frames beside the patterns that is worth a warning; films of others blur edges.
+const BESIDE: f64 = 0.01;
+
 /// The patterns of a run, per light.
 pub(crate) struct Written {
     /// The light that the frames put into the vial.
@@ -162,6 +165,22 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Writ
         frames: Some(frames),
     };
     Ok((written, notes))
+}
+
+/// What to say of frames whose light falls beside the patterns.
+pub(crate) fn light_beside(job: &ResolvedJob, written: &Written) -> Result<Vec<String>> {
+    let printers = job.printers.iter().flatten();
+    let shares = (printers.zip(written.frames.iter().flatten()))
+        .map(|(printer, frames)| printer.beside(frames))
+        .collect::<Result<Vec<_>>>()?;
+    let texts = shares.into_iter().filter(|share| *share > BESIDE).map(|share| {
+        format!(
+            "{:.0} % of the light of the frames falls beside the patterns: the machine shows it, and this prediction leaves it out. Where it is part of the print, \
+             raise light.pixels; where the frames are shifted, mirrored or turned, set offset_px, flip_horizontal, flip_vertical or quarter_turns of [printer]",
+            100.0 * share
+        )
+    });
+    Ok(texts.collect())
 }
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown, by levels of the job's bit depth as its frames have them.

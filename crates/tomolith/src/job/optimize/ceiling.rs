@@ -57,6 +57,8 @@ pub(crate) const SHARE: usize = 10;
 const CHEAPER: usize = 8;
 /// Corners of each surface that mean deviations are taken from.
 const CORNERS: usize = 20_000;
+/// Part of the start's loss on the coarser level below which other patterns begin better on the finest one, too.
+const CLEARLY: f64 = 0.5;
 /// Ceilings are tried down to 2⁻⁸ of the brightest pixel.
 const MOST_HALVES: i32 = 8;
 
@@ -70,16 +72,41 @@ pub(crate) struct FoundCeiling {
     /// Patterns below the lowest ceiling that is good enough, to go on from; None where none is, and where the job begins with its start nevertheless.
     #[serde(skip)]
     patterns: Option<Vec<Patterns>>,
+    /// The start on the coarser level, where the job goes on from such patterns.
+    start: Option<CoarseStart>,
     /// What was tried.
     pub(crate) report: CeilingReport,
     /// How long it took, s.
     pub(crate) seconds: f64,
 }
 
+/// What is known of the start of a job from that on the coarser level.
+#[derive(Serialize, Deserialize)]
+struct CoarseStart {
+    /// The largest pixel that it allows each light, for the frames of the finest level.
+    largest: Vec<f64>,
+    loss: f64,
+}
+
 impl FoundCeiling {
     /// The patterns to go on from, once.
     pub(crate) fn take_patterns(&mut self) -> Option<Vec<Patterns>> {
         self.patterns.take()
+    }
+
+    /// Bounds of the start, as far as they are known without it.
+    pub(crate) fn of_start(&self, job: &ResolvedJob, level: &Level) -> Option<Vec<Limits>> {
+        let largest = self.for_frames(&self.start.as_ref()?.largest, level);
+        let limits = largest.enumerate().map(|(light, max)| Limits {
+            min: job.bounds_of(light).0,
+            max,
+        });
+        Some(limits.collect())
+    }
+
+    /// Whether patterns with this loss are better than the start, however it comes out on the level itself.
+    pub(crate) fn is_clearly_better(&self, loss: f64) -> bool {
+        (self.start.as_ref()).is_some_and(|start| loss < CLEARLY * start.loss)
     }
 
     /// Whether there is a ceiling below the bound of the start.
@@ -108,11 +135,18 @@ impl FoundCeiling {
 
     /// Lowers bounds to the ceilings; `level` says for which frames the bounds are.
     pub(crate) fn lower(&self, bounds: &mut [Limits], level: &Level) {
-        let found = self.largest.iter().flatten().zip(&self.frames);
-        for ((bound, light), (largest, frames)) in bounds.iter_mut().zip(&level.lights).zip(found) {
-            let per_frame = *frames as f64 / light.pixels.frames() as f64;
-            bound.max = bound.max.min(largest * per_frame);
+        let largest = self.largest.as_deref().unwrap_or_default();
+        for (bound, largest) in bounds.iter_mut().zip(self.for_frames(largest, level)) {
+            bound.max = bound.max.min(largest);
         }
+    }
+
+    /// Largest pixels of the finest level's frames, for those of a level.
+    fn for_frames(&self, largest: &[f64], level: &Level) -> impl Iterator<Item = f64> {
+        let lights = level.lights.iter().zip(&self.frames);
+        lights.zip(largest).map(|((light, frames), largest)| {
+            largest * (*frames as f64 / light.pixels.frames() as f64)
+        })
     }
 }
 
@@ -181,6 +215,7 @@ fn find_on(
     }
     let of_start = stage.limits(&x);
     let even_dose = stage.even_dose(&x, work)?;
+    let start_loss = stage.loss(&x, work)?;
     stage.improve_within(&mut x, &of_start, level.until, work)?;
     let search = Search {
         stage: &stage,
@@ -200,9 +235,18 @@ fn find_on(
     let (fine, coarse) = (frames(finest(job)), frames(level));
     let per_frame = |(fine, coarse): (&usize, &usize)| *coarse as f64 / *fine as f64;
     let per_frame: Vec<f64> = fine.iter().zip(&coarse).map(per_frame).collect();
-    let brightest: Vec<f64> = (tried.brightest.iter().zip(&per_frame))
-        .map(|(bright, share)| bright * share)
-        .collect();
+    let of_finest = |largest: &[f64]| -> Vec<f64> {
+        let pairs = largest.iter().zip(&per_frame);
+        pairs.map(|(bright, share)| bright * share).collect()
+    };
+    let brightest = of_finest(&tried.brightest);
+    let is_as_here = patterns.is_some() && job.method.start.files().is_none();
+    let start = is_as_here.then(|| CoarseStart {
+        largest: of_finest(&of_start.iter().map(|limits| limits.max).collect::<Vec<_>>()),
+        loss: start_loss,
+    });
+    // Without a bound there is none to be known
+    let start = start.filter(|start| start.largest.iter().all(|max| max.is_finite()));
     let white = |(frames, bright): (&usize, &f64)| *frames as f64 * bright;
     let white = fine.iter().zip(&brightest).map(white).sum();
     let largest = tried.good.map(|i| {
@@ -215,6 +259,7 @@ fn find_on(
         largest,
         frames: fine,
         patterns,
+        start,
         report: CeilingReport {
             brightest: brightest.iter().copied().fold(0.0, f64::max),
             white,
@@ -430,27 +475,24 @@ impl Stage<'_> {
         }
     }
 
-    /// What a search ended with, and that it has a lower loss than the start `x`; else the start.
-    pub(crate) fn closer(
+    /// Patterns of a search within bounds.
+    pub(crate) fn within(
         &self,
-        x: HostField,
         bounds: &[Limits],
         found: Vec<Patterns>,
         work: &Work,
-    ) -> Result<(HostField, bool)> {
+    ) -> Result<HostField> {
         let found = Given(self.job.own_patterns(self.level, found));
         let mut found = self.start(&found, work)?;
         clip(&mut found, self.model.patterns(), bounds)?;
-        let objective = self.objective(0)?;
+        Ok(found)
+    }
+
+    /// The loss of patterns.
+    pub(crate) fn loss(&self, x: &HostField, work: &Work) -> Result<f64> {
         let mut dose = self.model.new_dose()?;
-        let mut loss = |x: &HostField| -> Result<f64> {
-            self.model.dose(x, &mut dose, work)?;
-            Ok(objective.value(&dose))
-        };
-        match loss(&found)? < loss(&x)? {
-            true => Ok((found, true)),
-            false => Ok((x, false)),
-        }
+        self.model.dose(x, &mut dose, work)?;
+        Ok(self.objective(0)?.value(&dose))
     }
 
     /// How good every output is, next to other prints of them; nothing of its surface where surfaces are left out. Of a print with a better IoU than the other one, Γ is the

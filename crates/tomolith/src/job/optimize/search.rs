@@ -109,41 +109,101 @@ impl<'a> Search<'a> {
         if self.pixels.as_ref() == Some(&pixels) {
             return Ok(None);
         }
-        let (job, work) = (self.job, self.work);
-        let lower = self.ceiling.as_ref().filter(|found| found.is_lower());
-        let lower = lower.filter(|_| job.stop().relative_loss.is_none());
-        if let (Some(found), Some(before)) = (lower, &self.pixels) {
-            // The ceiling lies far below this bound, so that of the coarser pixels serves
-            for ((highest, before), after) in self.highest.iter_mut().zip(before).zip(&pixels) {
-                highest.max *= before.frames() as f64 / after.frames() as f64;
+        let before = self.pixels.replace(pixels.clone());
+        match before.filter(|_| self.has_ceiling()) {
+            Some(before) => {
+                // The ceiling lies far below this bound, so that of the coarser pixels serves
+                for ((highest, before), after) in self.highest.iter_mut().zip(before).zip(pixels) {
+                    highest.max *= before.frames() as f64 / after.frames() as f64;
+                }
+                self.bound_below_ceiling(level);
+                Ok(None)
             }
-            self.bounds.clone_from(&self.highest);
-            found.lower(&mut self.bounds, level);
-            self.pixels = Some(pixels);
-            return Ok(None);
+            None if i == 0 => self.first(level, stage),
+            None => self.first_patterns(level, None, stage).map(Some),
         }
-        let given = job.own_start(level)?;
-        let (brightens, key) = (!self.is_resumed, self.key);
-        let first = stage.first_patterns(given.as_ref(), brightens, self.cache, key, work)?;
-        self.sofar.first_loss = first.loss;
-        self.highest.clone_from(&first.bounds);
-        self.bounds = first.bounds;
-        let mut x = first.patterns;
+    }
+
+    /// Whether a ceiling holds the pixels below the bound of the start.
+    fn has_ceiling(&self) -> bool {
+        let is_lower = self.ceiling.as_ref().is_some_and(FoundCeiling::is_lower);
+        is_lower && self.job.stop().relative_loss.is_none()
+    }
+
+    /// What the search for a ceiling ended with, unless the start has a lower loss; None where a checkpoint has the patterns, and their bounds need no start.
+    fn first(&mut self, level: &Level, stage: &Stage<'_>) -> Result<Option<HostField>> {
+        let ceiling = self.ceiling.as_ref().filter(|_| self.has_ceiling());
+        let known = ceiling.and_then(|found| found.of_start(self.job, level));
+        let mut found = None;
+        if let Some(known) = &known {
+            self.highest.clone_from(known);
+            self.bound_below_ceiling(level);
+            if self.is_resumed {
+                return Ok(None);
+            }
+            found = self.found(stage)?;
+        }
+        let ceiling = self.ceiling.as_ref();
+        let is_clear = |loss| ceiling.is_some_and(|ceiling| ceiling.is_clearly_better(loss));
+        if let Some((x, _)) = found.take_if(|(_, loss)| is_clear(*loss)) {
+            self.count_search();
+            return Ok(Some(x));
+        }
+        let x = self.first_patterns(level, known, stage)?;
+        if found.is_none() && !self.is_resumed {
+            found = self.found(stage)?;
+        }
+        match found {
+            Some((of_search, loss)) if loss < stage.loss(&x, self.work)? => {
+                self.count_search();
+                Ok(Some(of_search))
+            }
+            _ => Ok(Some(x)),
+        }
+    }
+
+    /// The search stands for some of the iterations.
+    fn count_search(&mut self) {
+        self.sofar.rows = vec![Row::at(self.job.stop().iterations / ceiling::SHARE)];
+    }
+
+    /// What the search for a ceiling ended with, within the bounds of this level, and its loss.
+    fn found(&mut self, stage: &Stage<'_>) -> Result<Option<(HostField, f64)>> {
+        let patterns = self.ceiling.as_mut().and_then(FoundCeiling::take_patterns);
+        let Some(patterns) = patterns else {
+            return Ok(None);
+        };
+        let x = stage.within(&self.bounds, patterns, self.work)?;
+        let loss = stage.loss(&x, self.work)?;
+        Ok(Some((x, loss)))
+    }
+
+    /// The bounds of a level below its ceiling.
+    fn bound_below_ceiling(&mut self, level: &Level) {
+        self.bounds.clone_from(&self.highest);
         if let Some(found) = &self.ceiling {
             found.lower(&mut self.bounds, level);
+        }
+    }
+
+    /// The start of the job within the bounds that follow from it, unless those are `known`.
+    fn first_patterns(
+        &mut self,
+        level: &Level,
+        known: Option<Vec<Limits>>,
+        stage: &Stage<'_>,
+    ) -> Result<HostField> {
+        let given = self.job.own_start(level)?;
+        let (brightens, key, work) = (!self.is_resumed, self.key, self.work);
+        let first = stage.first_patterns(given.as_ref(), brightens, self.cache, key, work)?;
+        self.sofar.first_loss = first.loss;
+        self.highest = known.unwrap_or(first.bounds);
+        self.bound_below_ceiling(level);
+        let mut x = first.patterns;
+        if self.ceiling.is_some() {
             start::clip(&mut x, stage.model.patterns(), &self.bounds)?;
         }
-        let found = self.ceiling.as_mut();
-        let found = found.filter(|_| i == 0 && !self.is_resumed);
-        if let Some(found) = found.and_then(FoundCeiling::take_patterns) {
-            let is_closer;
-            (x, is_closer) = stage.closer(x, &self.bounds, found, work)?;
-            if is_closer {
-                self.sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
-            }
-        }
-        self.pixels = Some(pixels);
-        Ok(Some(x))
+        Ok(x)
     }
 
     /// The patterns that a level begins with.

@@ -53,13 +53,29 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     })
 }
 
+/// Voxels so many times finer, in words.
+fn voxels_of(finer: usize) -> String {
+    match finer {
+        1 => "the optimization's own voxels".to_owned(),
+        finer => format!("{finer}× finer voxels"),
+    }
+}
+
 impl ResolvedJob {
-    /// Lowers the optimizer's memory and the refinement of the evaluation until both fit, and says so.
+    /// Lowers what prints below a ceiling are compared on, the optimizer's memory and the refinement of the evaluation until all fit, and says so.
     pub(crate) fn fit_memory(&mut self) -> Result<()> {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
         let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
+        let asked = self.extent.compared_finer();
         while !fits(self.extent.optimization_mb()) && self.extent.judged_finer > 1 {
             self.extent.judged_finer -= 1;
+        }
+        let compared = self.extent.compared_finer();
+        if compared < asked {
+            self.warnings.push(format!(
+                "the memory budget (resources.memory_gb) is too small: prints below a ceiling of the pixels are compared on {}, not on {asked}× finer voxels, and the ceiling may end elsewhere",
+                voxels_of(compared)
+            ));
         }
         let asked = self.extent.memory;
         while !fits(self.extent.optimization_mb()) && self.extent.memory > LEAST_MEMORY {

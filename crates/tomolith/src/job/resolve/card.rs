@@ -125,7 +125,7 @@ mod without {
                 None | Some((_, true)) => Ok(None),
                 Some((name, _)) => Err(Error::Device {
                     name: if name.is_empty() { "gpu".to_owned() } else { format!("gpu:{name}") },
-                    found: "this program was built without graphics cards; build it with the feature `gpu`, or leave \
+                    found: "this program was built without graphics cards; add `--features gpu` to the `cargo install` that builds it, or leave \
                             resources.device out"
                         .to_owned(),
                 }),

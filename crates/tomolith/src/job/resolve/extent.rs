@@ -233,6 +233,12 @@ impl Extent {
         f64::from(u8::from(along_rows)) * self.work(1) * 4.0
     }
 
+    /// How many times finer the voxels are on which prints below a ceiling are compared.
+    pub(crate) fn compared_finer(&self) -> usize {
+        let judged = refinement::judged(&self.finest, self.judged_finer);
+        (self.finest.pitch_mm / judged.pitch_mm).round() as usize
+    }
+
     /// Bytes of the finer voxels on which ceilings are judged.
     fn of_judged(&self) -> f64 {
         let judged = refinement::judged(&self.finest, self.judged_finer);

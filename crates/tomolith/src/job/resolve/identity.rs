@@ -41,19 +41,25 @@ pub(crate) fn tables_of(spec: &JobSpec, without: &[&str]) -> Result<Value> {
     Ok(tables)
 }
 
-/// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
-/// target's table, unless this has bodies that change the light.
+/// What makes a checkpoint belong to this job: its tables and the content of their files, wherever these lie, and the voxels in place of the
+/// target's table, unless this has bodies that change the light; not the part's name.
 pub(crate) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     let mut tables = tables.clone();
     let prints = |body: &Value| body["role"] == "print";
     let bodies = tables["target"]["body"].as_array();
     let changes_light = bodies.is_some_and(|bodies| !bodies.iter().all(prints));
-    if let Some(map) = tables.as_object_mut().filter(|_| !changes_light) {
-        map.remove("target");
+    let mut parts = of_voxels(voxels).to_vec();
+    if let Some(map) = tables.as_object_mut() {
+        match map.get_mut("target").and_then(Value::as_object_mut) {
+            Some(target) if changes_light => drop(target.remove("name")),
+            _ => drop(map.remove("target")),
+        }
+        for file in files_in(map) {
+            parts.push(content(&base.join(file.as_str().unwrap_or_default()))?);
+            *file = Value::Null;
+        }
     }
-    let mut parts = vec![hash(tables.to_string().as_bytes())];
-    parts.extend(of_voxels(voxels));
-    contents(&tables, base, &mut parts)?;
+    parts.push(hash(tables.to_string().as_bytes()));
     Ok(hash(bytemuck::cast_slice(&parts)))
 }
 
