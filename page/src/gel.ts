@@ -19,6 +19,8 @@ export interface Gel {
   isOfReport: boolean;
   /** Along how many voxels of the report each of the page's is a mean: volumes at other thresholds are counted in such means. */
   reduced: number;
+  /** What the response is called. */
+  quantity: string;
   /** The largest response. */
   high: number;
   histogram: Histogram | null;
@@ -30,7 +32,7 @@ export interface Gel {
   objective: [number, number] | null;
   tolerance: number | null;
   iou(threshold: number): number | null;
-  /** Exposure that gels at this threshold, % of the best one: more light, lower threshold. */
+  /** Exposure that gels at this threshold, % of the best one: more light, lower threshold. Null for a threshold of a response. */
   percent(threshold: number): number | null;
   /** Volume that gels and should not, mm³. */
   tooMuch(threshold: number): number | null;
@@ -67,7 +69,11 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
   const best = exposure?.threshold?.best ?? null;
   const given = evaluation?.histogram;
   const nearly = exposure?.threshold ? ([exposure.threshold.low, exposure.threshold.high] as [number | null, number | null]) : null;
+  const quantity = response?.info.name ?? "dose";
+  // A response is no multiple of the exposure
+  const isDose = quantity === "dose";
   return {
+    quantity,
     reported,
     isOfReport: official !== null,
     reduced: response?.info.reduced ?? 1,
@@ -78,7 +84,7 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
     objective: window,
     tolerance: exposure?.tolerance ?? null,
     iou: (threshold) => (threshold === official ? evaluation.iou : null) ?? interpolated(curve, threshold) ?? counts?.iou(threshold) ?? null,
-    percent: (threshold) => (best === null || threshold <= 0 ? null : (100 * best) / threshold),
+    percent: (threshold) => (best === null || threshold <= 0 || !isDose ? null : (100 * best) / threshold),
     tooMuch: (threshold) => (threshold === official ? evaluation.over_mm3 : null) ?? counts?.tooMuch(threshold) ?? null,
     missing: (threshold) => (threshold === official ? evaluation.under_mm3 : null) ?? counts?.missing(threshold) ?? null,
   };

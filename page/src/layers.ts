@@ -31,12 +31,12 @@ const REACH = 4;
 export function layersOf(volumes: Volumes, slices: Slices, threshold: (() => number) | null, band: Band): Layer[] {
   const { response, target } = volumes;
   const all: Layer[] = [];
-  if (response) all.push(scalar("dose", "Dose", response, slices, threshold));
+  if (response) all.push(scalar("dose", capital(response.info.name), response, slices, threshold));
   if (target) all.push(band === null ? inside(target, slices) : scalar("target", "Target", target, slices, null));
   if (response && threshold) all.push(solid(response, volumes, slices, threshold));
   if (response && target && sameShape(response, target)) {
     if (threshold) all.push(fate(response, volumes, slices, (dose) => dose >= threshold()));
-    else if (band !== null) all.push(difference(response, target, slices, REACH * band, "Error", "dose − target"));
+    else if (band !== null) all.push(difference(response, target, slices, REACH * band, "Error", `${response.info.name} − target`));
   }
   for (const volume of volumes.others) all.push(scalar(volume.info.id, nameOf(volume), volume, slices, null));
   return all;
@@ -49,6 +49,10 @@ export function sameShape(a: Volume, b: Volume): boolean {
 function nameOf(volume: Volume): string {
   const { name, species } = volume.info;
   const text = species === null ? name : `${name}, ${species}`;
+  return capital(text);
+}
+
+function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 

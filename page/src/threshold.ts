@@ -36,7 +36,7 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
     reset.disabled = state.get("threshold") === null;
     chart.mark(threshold);
     numbers.replaceChildren(
-      ...row("Gel threshold", significant(threshold, 4), "dose at which the resin gels"),
+      ...row("Gel threshold", significant(threshold, 4), `${gel.quantity} at which the resin gels`),
       ...row("Exposure", percent === null ? "–" : `${significant(percent, 4)} %`, "of the best exposure"),
       ...row("IoU", significant(iou, 4), threshold !== gel.reported ? `${significant(gel.iou(gel.reported), 4)} ${known}` : known),
       ...row("Too much", quantity(gel.tooMuch(threshold), "mm³"), `gels and should not${counted}`, "--excess"),
@@ -122,7 +122,7 @@ class Chart {
 
   private draw(): SVGElement {
     const { histogram, nearly, objective, curve, reported, high } = this.gel;
-    const root = svg("svg", { width: this.width, height: HEIGHT, viewBox: `0 0 ${this.width} ${HEIGHT}`, role: "img", "aria-label": "Voxels of part and void per dose, and IoU per gel threshold" });
+    const root = svg("svg", { width: this.width, height: HEIGHT, viewBox: `0 0 ${this.width} ${HEIGHT}`, role: "img", "aria-label": `Voxels of part and void per ${this.gel.quantity}, and IoU per gel threshold` });
     if (nearly) {
       const [from, to] = [Math.max(nearly[0] ?? 0, 0), Math.min(nearly[1] ?? high, high)];
       root.append(svg("rect", { class: "band", x: this.x(from), y: EDGE.top, width: Math.max(this.x(to) - this.x(from), 1), height: BOTTOM - EDGE.top }));
@@ -130,7 +130,7 @@ class Chart {
     for (const tick of ticksOf(0, high, this.width / 90)) {
       root.append(svg("line", { class: "grid", x1: this.x(tick), x2: this.x(tick), y1: EDGE.top, y2: BOTTOM }), svg("text", { x: this.x(tick), y: BOTTOM + 16, "text-anchor": "middle" }, significant(tick, 3)));
     }
-    root.append(svg("text", { x: (this.width + EDGE.left - EDGE.right) / 2, y: HEIGHT - 6, "text-anchor": "middle" }, "dose"));
+    root.append(svg("text", { x: (this.width + EDGE.left - EDGE.right) / 2, y: HEIGHT - 6, "text-anchor": "middle" }, this.gel.quantity));
     if (histogram) root.append(...this.bars(histogram));
     for (const at of objective ?? []) {
       root.append(svg("line", { class: "aimed", x1: this.x(at), x2: this.x(at), y1: EDGE.top, y2: BOTTOM }, svg("title", {}, "a threshold of the objective: the void should stay below both, the part above")));

@@ -138,6 +138,8 @@ pub struct SpeciesReport<'a> {
     pub labels: &'a Volume<u8>,
     /// Its response there.
     pub response: &'a Volume<f32>,
+    /// What that is called: `dose` where the material has no response of its own, else `response`.
+    pub quantity: &'static str,
     /// Inside fraction, or gray values, of its target there.
     pub inside: &'a Volume<f32>,
     /// Thresholds of its objective `[lower, upper]`, where it has any: void below, part above.
@@ -386,6 +388,7 @@ mod tests {
                     evaluation,
                     labels: &self.labels,
                     response: &self.response,
+                    quantity: "dose",
                     inside: &self.inside,
                     window: Some([0.7, 0.9]),
                     exposure: None,

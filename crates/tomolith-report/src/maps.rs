@@ -173,9 +173,14 @@ pub fn heat_maps(
         title.to_owned()
     };
     let mut left_out = 0;
+    let has_both = cells().any(|c| !c.is_feasible);
     for (i, panel) in panels.iter().enumerate() {
         let frame = sheet.frame(i);
         map(&mut sheet.body, &frame, [x, y], most, panel, &values);
+        if has_both {
+            draw_outline(&mut sheet.body, &frame, [x, y], panel);
+        }
+        rings(&mut sheet.body, &frame, [x, y], panel);
         let sizes = [x, y].map(|scale| scale.labels.len());
         draw_guides(&mut sheet.body, &frame, sizes, guides);
         // Above the guides, which must not cover them
@@ -189,7 +194,6 @@ pub fn heat_maps(
     };
     sheet.head(&title, format!("{caption}{room}").trim());
     sheet.bar(&values);
-    let has_both = cells().any(|c| !c.is_feasible);
     let outlined = mark(cells(), |c| c.is_feasible, "outlined: feasible");
     let mut marks = vec![outlined.filter(|_| has_both)];
     marks.extend(common_marks(cells));
@@ -304,59 +308,17 @@ fn map(
     panel: &Panel,
     values: &ColorScale,
 ) {
-    let [columns, rows] = [x, y].map(|scale| scale.labels.len());
-    let [width, height] = [
-        frame.width / columns.max(1) as f64,
-        frame.height / rows.max(1) as f64,
-    ];
-    let corner = |i: usize| {
-        [
-            frame.left + (i % columns) as f64 * width,
-            frame.top + (rows - 1 - i / columns) as f64 * height,
-        ]
-    };
+    let cells = MapCells::new(frame, [x, y]);
     for (i, cell) in panel.cells.iter().enumerate() {
-        let (Some(cell), [left, top]) = (cell, corner(i)) else {
+        let (Some(cell), [left, top]) = (cell, cells.corner(i)) else {
             continue;
         };
+        let [width, height] = cells.size;
         draw_cell(body, [left, top, width, height], cell, values);
-    }
-    let is_feasible = |column: usize, row: usize| {
-        let cell = (column < columns && row < rows)
-            .then(|| panel.cells.get(row * columns + column))
-            .flatten();
-        cell.copied().flatten().is_some_and(|cell| cell.is_feasible)
-    };
-    let has_both = panel.cells.iter().flatten().any(|c| !c.is_feasible);
-    let outline = if has_both {
-        outline([columns, rows], &is_feasible, &corner, [width, height])
-    } else {
-        String::new()
-    };
-    draw!(
-        body,
-        "<path class=\"halo\" d=\"{outline}\"/><path class=\"edge\" d=\"{outline}\"/>"
-    );
-    for (i, _) in panel
-        .cells
-        .iter()
-        .enumerate()
-        .filter(|(_, c)| c.is_some_and(|c| c.is_best))
-    {
-        let [left, top] = corner(i);
-        let (cx, cy, r) = (
-            left + 0.5 * width,
-            top + 0.5 * height,
-            (0.42 * width.min(height)).clamp(4.0, 24.0),
-        );
-        draw!(
-            body,
-            "<circle class=\"best\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/><circle class=\"ring\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/>"
-        );
     }
     frame.title(body, &panel.title);
     let up = match are_words(&y.labels) {
-        true => rows,
+        true => y.labels.len(),
         false => ((frame.height / 16.0) as usize).min(LABELS),
     };
     let across = match are_words(&x.labels) {
@@ -499,17 +461,51 @@ fn numbers(
     left_out
 }
 
+/// Where the equal cells of a heat map lie.
+struct MapCells {
+    /// Columns and rows.
+    counts: [usize; 2],
+    /// Width and height of a cell.
+    size: [f64; 2],
+    /// The left upper corner of all.
+    origin: [f64; 2],
+}
+
+impl MapCells {
+    fn new(frame: &Frame, scales: [&MapAxis; 2]) -> Self {
+        let counts = scales.map(|scale| scale.labels.len());
+        let [columns, rows] = counts.map(|count| count.max(1) as f64);
+        MapCells {
+            counts,
+            size: [frame.width / columns, frame.height / rows],
+            origin: [frame.left, frame.top],
+        }
+    }
+
+    /// The left upper corner of a cell.
+    fn corner(&self, i: usize) -> [f64; 2] {
+        let ([columns, rows], [width, height]) = (self.counts, self.size);
+        [
+            self.origin[0] + (i % columns) as f64 * width,
+            self.origin[1] + (rows - 1 - i / columns) as f64 * height,
+        ]
+    }
+}
+
 /// The edges between feasible cells and all others.
-fn outline(
-    [columns, rows]: [usize; 2],
-    is_feasible: &dyn Fn(usize, usize) -> bool,
-    corner: &dyn Fn(usize) -> [f64; 2],
-    [width, height]: [f64; 2],
-) -> String {
+fn draw_outline(body: &mut String, frame: &Frame, scales: [&MapAxis; 2], panel: &Panel) {
+    let cells = MapCells::new(frame, scales);
+    let ([columns, rows], [width, height]) = (cells.counts, cells.size);
+    let is_feasible = |column: usize, row: usize| {
+        let cell = (column < columns && row < rows)
+            .then(|| panel.cells.get(row * columns + column))
+            .flatten();
+        cell.copied().flatten().is_some_and(|cell| cell.is_feasible)
+    };
     let (down, across) = (format!("v{height:.1}"), format!("h{width:.1}"));
     let mut path = String::new();
     for i in (0..columns * rows).filter(|i| is_feasible(i % columns, i / columns)) {
-        let ([left, top], column, row) = (corner(i), i % columns, i / columns);
+        let ([left, top], column, row) = (cells.corner(i), i % columns, i / columns);
         let sides = [
             (column.wrapping_sub(1), row, [left, top], &down),
             (column + 1, row, [left + width, top], &down),
@@ -522,7 +518,29 @@ fn outline(
             }
         }
     }
-    path
+    draw!(
+        body,
+        "<path class=\"halo\" d=\"{path}\"/><path class=\"edge\" d=\"{path}\"/>"
+    );
+}
+
+/// Rings round the best cells.
+fn rings(body: &mut String, frame: &Frame, scales: [&MapAxis; 2], panel: &Panel) {
+    let cells = MapCells::new(frame, scales);
+    let [width, height] = cells.size;
+    let all = panel.cells.iter().enumerate();
+    for (i, _) in all.filter(|(_, cell)| cell.is_some_and(|cell| cell.is_best)) {
+        let [left, top] = cells.corner(i);
+        let (cx, cy, r) = (
+            left + 0.5 * width,
+            top + 0.5 * height,
+            (0.42 * width.min(height)).clamp(4.0, 24.0),
+        );
+        draw!(
+            body,
+            "<circle class=\"best\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/><circle class=\"ring\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/>"
+        );
+    }
 }
 
 fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, most: usize, values: &Axis) {

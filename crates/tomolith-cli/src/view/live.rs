@@ -133,7 +133,8 @@ impl Progress for Live {
                     .into_iter()
                     .for_each(|band| self.site.set_band(band));
             }
-            self.site.show(served_response(i, name, print));
+            self.site
+                .show(served_response(i, name, asked.quantity, print));
         }
         self.known = snapshot.print.first().map(|print| print.grid.clone());
         self.site

@@ -80,6 +80,10 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         };
         (0..=255).map(color_of).collect()
     };
+    let quantity = match first.quantity {
+        "dose" => "Dose",
+        _ => "Response",
+    };
     let high = first.evaluation.histogram.range[1];
     let inside = |i: usize| f64::from(first.inside.values[i]);
     let response = |i: usize| f64::from(first.response.values[i]);
@@ -87,7 +91,7 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     let pictures = [
         ("Target", draw(&gray, &|voxels| shade(voxels, &inside))),
         (
-            "Dose",
+            quantity,
             draw(&colors(&viridis), &|voxels| {
                 shade(voxels, &|i| response(i) / high)
             }),

@@ -145,7 +145,12 @@ fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
     for species in &data.species {
         let name = Some(species.name).filter(|name| !name.is_empty());
         all.extend(asked(name, species.inside, species.labels));
-        all.push(Source::new("response", name, "dose", species.response));
+        all.push(Source::new(
+            "response",
+            name,
+            species.quantity,
+            species.response,
+        ));
     }
     all.extend(
         data.bodies
@@ -212,10 +217,15 @@ pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String
 /// What the page knows of volumes of a run that goes on, and their arrays, packed.
 pub type Served = Vec<(Value, Vec<u8>)>;
 
-/// The response of a species of a run that goes on; the species has a name where there are several.
+/// The response of a species of a run that goes on, and what it is called; the species has a name where there are several.
 #[must_use]
-pub fn served_response(i: usize, species: Option<&str>, response: &Volume<f32>) -> Served {
-    served(i, &[Source::new("response", species, "dose", response)])
+pub fn served_response(
+    i: usize,
+    species: Option<&str>,
+    quantity: &str,
+    response: &Volume<f32>,
+) -> Served {
+    served(i, &[Source::new("response", species, quantity, response)])
 }
 
 /// What is asked of a species of a run that goes on.

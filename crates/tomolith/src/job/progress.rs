@@ -106,6 +106,8 @@ pub struct SpeciesTarget {
     pub inside: Volume<f32>,
     /// What each voxel counts as ([`label`](crate::target::label)).
     pub labels: Volume<u8>,
+    /// What its print is called: `dose`, or `response` where the material has one of its own.
+    pub quantity: &'static str,
     /// Half width of the band around gray values; None for a target of part and void.
     pub band: Option<f64>,
 }

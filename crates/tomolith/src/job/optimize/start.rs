@@ -14,6 +14,7 @@ use crate::optimize::Limits;
 use crate::optimize::start::given::{Given, GivenFiles, OfFile};
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
+use std::borrow::Cow;
 
 /// What a start or a method's marks are computed from; `absorption` where it is a map.
 pub(crate) fn start_input<'a, F: Field>(
@@ -194,7 +195,7 @@ impl Stage<'_> {
         let start = given.map_or(of_job, |given| given as _);
         let mut patterns = self.start(start, work)?;
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
-            None => (self.limits(&patterns), None),
+            None => (None, None),
             Some(bounds_as) => {
                 let model = model.filter(|_| !bounds_as.is_given());
                 let key = model.map(|model| start_key(model, job)).transpose()?;
@@ -206,16 +207,20 @@ impl Stage<'_> {
                 let of_dose = |dose| Ok(self.objective(0)?.value(dose));
                 let loss = bounding.dose.as_ref().map(of_dose).transpose()?;
                 cache.put_start(key, bounding);
-                clip(&mut patterns, self.model.patterns(), &bounds)?;
-                (bounds, loss)
+                (Some(bounds), loss)
             }
         };
+        // Bounds that follow from patterns follow from scaled ones, after a resumption, too
+        let brightens = brightens || bounds.is_none();
         if let Some(files) = files.filter(|files| files.scaled && brightens) {
-            self.brighten(files, &mut patterns, &bounds, work)?;
+            self.brighten(files, &mut patterns, bounds.as_deref(), work)?;
+        }
+        if let Some(bounds) = &bounds {
+            clip(&mut patterns, self.model.patterns(), bounds)?;
         }
         Ok(FirstPatterns {
+            bounds: bounds.unwrap_or_else(|| self.limits(&patterns)),
             patterns,
-            bounds,
             loss,
         })
     }
@@ -231,12 +236,13 @@ impl Stage<'_> {
     }
 
     /// Takes the patterns with the lowest loss, of those given, further files, and those given with the step between two files added; each as bright as
-    /// suits the objective best; for doses that are linear in them. One dose call each, two where the bounds hold what would be brighter.
+    /// suits the objective best; for doses that are linear in them. One dose call each, three where the bounds hold what would be brighter. Without
+    /// bounds each has those that follow from it.
     fn brighten(
         &self,
         files: &GivenFiles,
         x: &mut HostField,
-        bounds: &[Limits],
+        bounds: Option<&[Limits]>,
         work: &Work,
     ) -> Result<()> {
         if !self.model.is_linear() {
@@ -257,9 +263,7 @@ impl Stage<'_> {
         let further = of_files.chain(files.step.iter().map(ahead));
         let further = further.filter(|_| self.job.ranks.is_none());
         for candidate in std::iter::once_with(as_given).chain(further) {
-            let mut candidate = candidate?;
-            clip(&mut candidate, self.model.patterns(), bounds)?;
-            let loss = self.scale(&objective, &mut candidate, &mut dose, bounds, work)?;
+            let (candidate, loss) = self.scaled(&objective, candidate?, &mut dose, bounds, work)?;
             if loss < lowest {
                 lowest = loss;
                 *x = candidate;
@@ -271,35 +275,45 @@ impl Stage<'_> {
         Ok(())
     }
 
-    /// Multiplies patterns by the factor with which their loss is lowest, unless the bounds spoil it; that loss.
+    /// Patterns times the factor with which their loss is lowest, within bounds, unless these spoil it; and that loss.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn scale(
+    fn scaled(
         &self,
         objective: &Sum<HostField>,
-        x: &mut HostField,
+        mut x: HostField,
         dose: &mut HostField,
-        bounds: &[Limits],
+        bounds: Option<&[Limits]>,
         work: &Work,
-    ) -> Result<f64> {
-        self.model.dose(x, dose, work)?;
-        let before = objective.value(dose);
-        let (factor, mut loss) = optimize::brightness::lowest(&|factor| {
+    ) -> Result<(HostField, f64)> {
+        let lights = self.model.patterns();
+        // No light is negative
+        clip(&mut x, lights, &vec![Limits::default(); lights.len()])?;
+        self.model.dose(&x, dose, work)?;
+        let (factor, loss) = optimize::brightness::lowest(&|factor| {
             let mut scaled = dose.clone();
             scaled.scale(factor as f32);
             objective.value(&scaled)
         });
+        let within = |patterns: &HostField| {
+            let bounds = bounds.map_or_else(|| Cow::Owned(self.limits(patterns)), Cow::Borrowed);
+            let mut within = patterns.clone();
+            clip(&mut within, lights, &bounds).map(|()| within)
+        };
         let mut scaled = x.clone();
         scaled.scale(factor as f32);
-        let mut within = scaled.clone();
-        clip(&mut within, self.model.patterns(), bounds)?;
+        let clipped = within(&scaled)?;
         // Ranks ask for a dose together
-        if x.any(within.as_slice() != scaled.as_slice()) {
-            self.model.dose(&within, dose, work)?;
-            loss = objective.value(dose);
+        if !x.any(clipped.as_slice() != scaled.as_slice()) {
+            return Ok((scaled, loss));
         }
-        if loss < before {
-            *x = within;
+        let mut lowest = (scaled, f64::INFINITY);
+        for patterns in [clipped, within(&x)?] {
+            self.model.dose(&patterns, dose, work)?;
+            let loss = objective.value(dose);
+            if loss < lowest.1 {
+                lowest = (patterns, loss);
+            }
         }
-        Ok(loss.min(before))
+        Ok(lowest)
     }
 }

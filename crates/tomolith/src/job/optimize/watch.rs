@@ -34,9 +34,11 @@ pub(crate) fn idle(history: &[Row], normalizes: bool, bits: Option<u32>) -> Opti
             )
         },
     );
-    Some(format!(
-        "no step lowered the loss, the patterns are those of the start; {why}"
-    ))
+    let what = match normalizes {
+        true => "all steps have the same loss, the patterns are those of the first one",
+        false => "no step lowered the loss, the patterns are those of the start",
+    };
+    Some(format!("{what}; {why}"))
 }
 
 /// Iterations that are measured before only every second one is, and again before every fourth, and so on.

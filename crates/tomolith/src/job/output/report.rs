@@ -186,6 +186,7 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
             evaluation: &print.evaluation,
             labels: &print.fine.labels,
             response: &print.response,
+            quantity: species.goal.quantity(),
             inside: &print.fine.target.inside,
             window: window(done, species),
             exposure: *exposure,

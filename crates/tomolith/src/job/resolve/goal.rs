@@ -236,6 +236,14 @@ impl Goal {
         self.response = Arc::clone(response);
     }
 
+    /// What the response of the material to a dose is called.
+    pub(crate) fn quantity(&self) -> &'static str {
+        match self.response.is_identity() {
+            true => "dose",
+            false => "response",
+        }
+    }
+
     /// What the material makes of a dose.
     pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Volume<f32> {
         let response = self.response.as_ref();

@@ -36,6 +36,7 @@ impl Voxels {
             species: species.name.clone().unwrap_or_default(),
             inside: self.target.inside.clone(),
             labels: self.labels.clone(),
+            quantity: species.goal.quantity(),
             band: self.target.gray.then(|| species.half_width()),
         }
     }
