@@ -1,6 +1,8 @@
 //! The band loss on a card beside that of the host: all kinds of bands, powers and responses.
 
 mod common;
+#[path = "common/portable.rs"]
+mod portable;
 
 use common::{SMALL, gpu};
 use std::sync::Arc;
@@ -134,6 +136,7 @@ fn values_gradients_and_slopes_are_those_of_the_host() {
             }
         }
     }
+    portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));
 }
 
 #[test]

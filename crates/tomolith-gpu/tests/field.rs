@@ -1,6 +1,8 @@
 //! Every operation of a field, its bounds, pairs, penalties and half ramp beside those of the host.
 
 mod common;
+#[path = "common/portable.rs"]
+mod portable;
 
 use common::{SMALL, gpu};
 use std::sync::Arc;
@@ -152,6 +154,7 @@ fn every_operation_gives_the_numbers_of_the_host() {
     }
     assert_eq!(a.card.clone().to_host(), a.host.as_slice());
     assert_eq!(a.card.host_bytes(), a.host.host_bytes());
+    portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));
 }
 
 #[test]
@@ -210,6 +213,7 @@ fn bounds_of_one_light_and_of_two_hold_as_on_the_host() {
         moved.card.quantize(9, &there);
         moved.assert_near(1e-6, "quantize");
     }
+    portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));
 }
 
 fn latest<F>([x, step, gradient, change, image]: [&F; 5]) -> Latest<'_, F> {
@@ -302,6 +306,7 @@ fn pairs_give_the_products_and_directions_of_the_host() {
         len as f64,
         "gradient square",
     );
+    portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));
 }
 
 #[test]
@@ -346,4 +351,5 @@ fn the_half_ramp_and_penalties_are_those_of_the_host() {
         card.add_gradient(&x.card, 0.3, &mut out.card);
         out.assert_near(1e-4, "gradient of a penalty");
     }
+    portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));
 }

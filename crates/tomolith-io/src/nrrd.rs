@@ -166,6 +166,18 @@ impl Fields {
 
     /// Refuses axes that are mirrored, turned or in another order, of which an array `[z, y, x]` knows nothing.
     fn must_run_along_axes(&self) -> Result<(), String> {
+        let space = self.0.get("space").map_or("", |space| space.trim());
+        let mirrored = [
+            "right-anterior-superior",
+            "left-anterior-superior",
+            "RAS",
+            "LAS",
+        ];
+        if mirrored.iter().any(|name| space.eq_ignore_ascii_case(name)) {
+            return Err(format!(
+                "space `{space}`: its x or y runs against that of left-posterior-superior"
+            ));
+        }
         let Some(text) = self.0.get("space directions") else {
             return Ok(());
         };
@@ -290,6 +302,11 @@ mod tests {
                 "type: uint8\nencoding: raw\nspace directions: (0,0,1) (0,1,0) (1,0,0)",
                 &[0; 3],
                 "do not run along x, y and z",
+            ),
+            (
+                "type: uint8\nencoding: raw\nspace: RAS\nspace directions: (1,0,0) (0,1,0) (0,0,1)",
+                &[0; 3],
+                "runs against",
             ),
             (
                 "type: uint8\nencoding: raw\nspace directions: (-1,0,0) (0,1,0) (0,0,1)",

@@ -17,8 +17,8 @@ use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
 
 /// What is said of a model that stays on the processor of a job with a card.
-const ON_PROCESSOR: &str =
-    "; computed on the processor: it has no form for the card, or is too large for it";
+const NO_FORM: &str = "; computed on the processor: it has no form for the card";
+const TOO_LARGE: &str = "; computed on the processor: it is too large for the card";
 
 /// A dose model, and why it was chosen.
 pub struct ModelPlan {
@@ -122,7 +122,7 @@ pub fn plan(
         dark = narrow(&mut lights, &all, None);
     }
     if let Some(wanted) = wanted {
-        let unscattered = built(
+        let (unscattered, _) = built(
             &input.lit_by(&lights),
             &|input| family.unscattered_form(input),
             &|input| family.unscattered(input),
@@ -140,20 +140,24 @@ pub fn plan(
         .then(|| family.unscattered(&input))
         .transpose()?
         .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
-    let model = if lights.iter().any(|light| light.point_spread.is_some()) {
+    let (model, place) = if lights.iter().any(|light| light.point_spread.is_some()) {
         let model = family.build(&input.lit_by(&widened(&lights)))?;
         let spreads = Spreads::new(layouts(&lights), &lights);
-        MaskedModel::new(model, Vec::new(), factor).with_spreads(spreads)
+        let model = MaskedModel::new(model, Vec::new(), factor).with_spreads(spreads);
+        (model, scene.accelerator.map(|_| NO_FORM))
     } else {
-        let model = built(&input, &|input| family.form(input), &|input| {
+        let (model, place) = built(&input, &|input| family.form(input), &|input| {
             family.build(input)
         })?;
-        MaskedModel::new(model, Vec::new(), factor)
+        let model = MaskedModel::new(model, Vec::new(), factor);
+        match place {
+            None => (model, None),
+            left => (model.on_host(), left),
+        }
     };
     let model = model.and_dark(dark.clone());
     let why = why(family.as_ref(), &input.scene, grid);
-    let is_left = scene.accelerator.is_some() && model.form().is_none();
-    let place = if is_left { ON_PROCESSOR } else { "" };
+    let place = place.unwrap_or_default();
     Ok(ModelPlan {
         reason: format!("{}: {why}{place}", model.describe()),
         model,
@@ -162,22 +166,28 @@ pub fn plan(
     })
 }
 
-/// A model, where the scene says that it is computed: of its `form` there, of what `build` builds on the processor.
+/// A model, where the scene says that it is computed: of its `form` there, or of what `build` builds on the processor, and why it is left there.
 fn built(
     input: &ModelInput<'_>,
     form: &dyn Fn(&ModelInput<'_>) -> Result<Option<Form>>,
     build: &dyn Fn(&ModelInput<'_>) -> Result<HostModel>,
-) -> Result<HostModel> {
+) -> Result<(HostModel, Option<&'static str>)> {
+    let here = |why| build(input).map(|model| (model, why));
     let Some(accelerator) = input.scene.accelerator else {
-        return build(input);
+        return here(None);
     };
-    let form = form(input)?;
-    let there = form.map(|form| accelerator.model(&form, input.work));
+    let Some(form) = form(input)? else {
+        return here(Some(NO_FORM));
+    };
     let is_evaluated = matches!(input.scene.purpose, Purpose::Evaluate { .. });
-    match there.transpose() {
+    match accelerator.model(&form, input.work) {
+        Ok(Some(model)) => Ok((model, None)),
+        Ok(None) => here(Some(TOO_LARGE)),
         // Patterns that took long to find are evaluated anyway
-        Err(Error::Resources { .. }) if is_evaluated => build(input),
-        there => there?.flatten().map_or_else(|| build(input), Ok),
+        Err(Error::Resources { .. } | Error::Unsupported { .. }) if is_evaluated => {
+            here(Some(TOO_LARGE))
+        }
+        Err(error) => Err(error),
     }
 }
 

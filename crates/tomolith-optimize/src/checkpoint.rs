@@ -682,6 +682,12 @@ impl Checkpoint {
         self.header.level
     }
 
+    /// The tables of its job ([`Checkpoints::describing`]).
+    #[must_use]
+    pub fn job(&self) -> &Value {
+        &self.header.job
+    }
+
     /// What was found before the loop ([`Checkpoints::remember`]); null where nothing was said.
     #[must_use]
     pub fn found(&self) -> &Value {

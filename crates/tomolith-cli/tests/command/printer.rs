@@ -561,4 +561,7 @@ fn device_pixels_in_micrometers_are_refused_and_their_size_is_told_where_it_is_l
     );
     let line = format!("{check} --set printer.pixel_pitch_mm=100");
     bench.refuse(&line, &["printer.pixel_pitch_mm: 100 mm, 1000 times"]);
+    let line = "check job.toml --set printer.pixel_pitch_mm=1e-5";
+    let found = "printer.pixel_pitch_mm: pixels so small that the patterns need";
+    bench.refuse(line, &[found, "at most 16384 along an axis"]);
 }

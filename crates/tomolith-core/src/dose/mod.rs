@@ -70,13 +70,19 @@ pub struct Facts<'a> {
 }
 
 impl Facts<'_> {
+    /// Numbers of a field.
+    #[must_use]
+    pub fn len(&self, space: Space) -> usize {
+        match space {
+            Space::Patterns => self.patterns.iter().map(PatternLayout::len).sum(),
+            Space::Dose => self.outputs.iter().map(DoseLayout::len).sum(),
+        }
+    }
+
     /// Zeros in the memory of the host.
     #[must_use]
     pub fn host_field(&self, space: Space) -> HostField {
-        HostField::zeros(match space {
-            Space::Patterns => self.patterns.iter().map(PatternLayout::len).sum(),
-            Space::Dose => self.outputs.iter().map(DoseLayout::len).sum(),
-        })
+        HostField::zeros(self.len(space))
     }
 }
 

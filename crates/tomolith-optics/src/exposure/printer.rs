@@ -73,6 +73,8 @@ const DIMMEST: f64 = 0.1;
 const MOST_COPIES: usize = 64;
 /// Most pixels of the light that a pixel of the device may be wide. Then nothing of the patterns is left, and the number had another unit.
 const WIDEST: f64 = 10.0;
+/// Pixels of a device along an axis, at most, as the key `canvas` takes them.
+const MOST_PIXELS: usize = 16384;
 
 /// Sense in which the vial turns, seen from above.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -660,6 +662,18 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
         needed = [needed[0].max(one[0]), needed[1].max(one[1])];
     }
     match spec.canvas {
+        None if needed.iter().any(|pixels| *pixels > MOST_PIXELS) => {
+            return Err(Error::config(
+                "printer.pixel_pitch_mm",
+                format!(
+                    "pixels so small that the patterns need {} × {} of them",
+                    needed[0], needed[1]
+                ),
+                format!(
+                    "the size of a device pixel at the vial in mm, with which they need at most {MOST_PIXELS} along an axis"
+                ),
+            ));
+        }
         None => placings
             .iter_mut()
             .for_each(|placing| placing.canvas = needed),

@@ -167,10 +167,16 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Writ
     Ok((written, notes))
 }
 
-/// What to say of frames whose light falls beside the patterns.
-pub(crate) fn light_beside(job: &ResolvedJob, written: &Written) -> Result<Vec<String>> {
+/// What to say of frames that cannot be what they seem: masks, and light beside the patterns.
+pub(crate) fn doubts_of_frames(job: &ResolvedJob, written: &Written) -> Result<Vec<String>> {
     let printers = job.printers.iter().flatten();
-    let shares = (printers.zip(written.frames.iter().flatten()))
+    let frames = || written.frames.iter().flatten();
+    let is_mask = |frames: &Quantized| frames.bits > 1 && frames.values.iter().max() == Some(&1);
+    let masks = frames().find(|frames| is_mask(frames)).map(|frames| {
+        let top = (1u32 << frames.bits) - 1;
+        format!("the frames have levels 0 and 1 alone, and white is level {top}: 1 is taken as that part of white. Of a mask, write {top} in place of 1")
+    });
+    let shares = (printers.zip(frames()))
         .map(|(printer, frames)| printer.beside(frames))
         .collect::<Result<Vec<_>>>()?;
     let texts = shares.into_iter().filter(|share| *share > BESIDE).map(|share| {
@@ -180,7 +186,7 @@ pub(crate) fn light_beside(job: &ResolvedJob, written: &Written) -> Result<Vec<S
             100.0 * share
         )
     });
-    Ok(texts.collect())
+    Ok(masks.into_iter().chain(texts).collect())
 }
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown, by levels of the job's bit depth as its frames have them.

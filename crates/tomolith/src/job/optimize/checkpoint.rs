@@ -5,6 +5,7 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::card::Card;
 use crate::job::resolve::identity::of_unlit;
 use crate::models::Work;
 use crate::optimize::Checkpoints;
@@ -18,6 +19,7 @@ use std::time::Duration;
 pub(crate) fn resumes(
     checkpoints: &Checkpoints,
     resume: bool,
+    card: Option<&Card>,
     progress: &mut dyn Progress,
 ) -> Result<Option<usize>> {
     let file = checkpoints.file();
@@ -52,11 +54,25 @@ pub(crate) fn resumes(
                 ),
             }
         }
+        None if file.with_file_name(KEPT).exists() => format!(
+            "no checkpoint to resume: starting anew. The run before left its best patterns in {}: `[start.patterns]` with a copy of this file begins from them",
+            file.with_file_name(KEPT).display()
+        ),
         None => "no checkpoint to resume: starting anew".to_owned(),
     };
     progress.event(&Event::Note { text });
+    let of_card = card.zip(checkpoint.as_ref()).and_then(|(card, earlier)| {
+        let (was, is) = (earlier.job()[CARD].as_str()?, card.version());
+        (was != is).then(|| format!("the checkpoint is of {was}, this run of {is}: what comes of it may differ in its last digits from a run on one card"))
+    });
+    if let Some(text) = of_card {
+        progress.event(&Event::Note { text });
+    }
     Ok(checkpoint.map(|checkpoint| checkpoint.level()))
 }
+
+/// The key of what a checkpoint says of the card that it is of.
+pub(crate) const CARD: &str = "card";
 
 /// Removes a file that may not be there.
 fn remove(file: &Path) -> Result<()> {

@@ -24,7 +24,7 @@ use crate::objective::FoundWindow;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
 pub(crate) use ceiling::iterations as iterations_of_ceiling;
-use checkpoint::{resumes, tables};
+use checkpoint::{CARD, resumes, tables};
 use gray_levels::Levelled;
 use search::Search;
 pub(crate) use stage::Stage;
@@ -131,13 +131,17 @@ fn open_checkpoints(
     plan: CheckpointPlan<'_>,
     progress: &mut dyn Progress,
 ) -> Result<(Checkpoints, Option<usize>)> {
-    let tables = tables(job)?;
+    let mut tables = tables(job)?;
     let fingerprint = job.agreed(fingerprint(&tables, &voxels[0], &job.base))?;
     job.must_agree(fingerprint)?;
     let checkpoints = Checkpoints::new(plan.folder, fingerprint, job.checkpoint())?;
+    let card = job.optics.card.as_ref();
+    if let Some(card) = card {
+        tables[CARD] = card.version().into();
+    }
     let mut checkpoints = checkpoints.describing(tables);
     let resumed = if plan.resume || job.is_first() {
-        resumes(&checkpoints, plan.resume, progress)
+        resumes(&checkpoints, plan.resume, card, progress)
     } else {
         Ok(None)
     };

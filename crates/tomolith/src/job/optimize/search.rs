@@ -295,7 +295,9 @@ impl<'a> Search<'a> {
             Ok((outcome, end)) => Ok(self.optimized(stage, raw, outcome, end)),
             Err(error) => {
                 match &error {
-                    Error::Device { .. } => lost(folder, self.progress),
+                    Error::Device { .. } if stage.on_card().is_ok_and(|card| card.is_some()) => {
+                        lost(folder, self.progress);
+                    }
                     // Refused before the first step
                     Error::Unsupported { what, .. } if what.starts_with("stop.") => {}
                     _ => keep(job, &raw, folder, self.progress, work)?,

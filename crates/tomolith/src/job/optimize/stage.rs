@@ -4,6 +4,8 @@ use super::gray_levels::Levelled;
 use super::start::{limits, start_input, starting_patterns};
 use super::watch::Watch;
 use super::{gray_levels, row_balance};
+use crate::dose::Space;
+use crate::dose::form::Form;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -12,6 +14,7 @@ use crate::job::dose::in_time::planned_in_time;
 use crate::job::dose::scenarios::joined;
 use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
+use crate::job::resolve::card::Card;
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::goal::Goal;
 use crate::job::resolve::refinement::Level;
@@ -37,6 +40,10 @@ use tomolith_gpu::{GpuField, model_on};
 
 /// Part of what a print may lose in IoU (`bounds.tolerance`) by which it may still rise where the loss is steady.
 const RISE: f64 = 0.5;
+
+/// Fields of the loop, at least: of the size of the patterns, without the method's pairs, and of the dose.
+const FIELDS_OF_PIXELS: usize = 6;
+const FIELDS_OF_DOSE: usize = 3;
 
 /// What the levels before have done.
 #[derive(Default)]
@@ -342,11 +349,27 @@ impl<'a> Stage<'a> {
         Ok(outcome)
     }
 
+    /// The card that holds patterns, doses and the method's memory in the loop, and the model's form; None where the processor does.
+    ///
+    /// # Errors
+    /// [`Error::Resources`] where its memory is too small.
+    pub(crate) fn on_card(&self) -> Result<Option<(&Card, Form)>> {
+        let card = self.job.optics.card.as_ref();
+        let Some((card, form)) = card.zip(self.model.form()) else {
+            return Ok(None);
+        };
+        let facts = self.model.facts();
+        let fields = self.job.method.pairs().unwrap_or_default() + FIELDS_OF_PIXELS;
+        let numbers = fields * facts.len(Space::Patterns) + FIELDS_OF_DOSE * facts.len(Space::Dose);
+        let holds = card.holds((numbers * size_of::<f32>()) as u64)?;
+        Ok(holds.then_some((card, form)))
+    }
+
     /// Runs the optimizer on this level up to an iteration, after those before; on a graphics card where the job has one and the model a form for it.
     pub(crate) fn run(&self, x: &mut HostField, around: Around<'_>) -> Result<Outcome> {
         let (job, wider) = (self.job, around.wider);
         #[cfg(feature = "gpu")]
-        if let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) {
+        if let Some((card, form)) = self.on_card()? {
             let goal = goal_of(job.first(), wider).on::<GpuField>()?;
             let model = model_on(card.gpu(), &form, around.work)?;
             let layout = &self.model.outputs()[0];

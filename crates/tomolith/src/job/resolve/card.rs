@@ -26,6 +26,14 @@ fn asked(device: Option<&str>) -> Result<Option<(&str, bool)>> {
     }
 }
 
+/// What to say where a job asks for a card if there is one, and there is none.
+pub(crate) fn none_for(device: Option<&str>, card: Option<&Card>) -> Option<String> {
+    (device == Some("auto") && card.is_none()).then(|| {
+        "resources.device = \"auto\": no graphics card was found, so the processor computes"
+            .to_owned()
+    })
+}
+
 #[cfg(feature = "gpu")]
 pub(crate) use with_gpu::Card;
 #[cfg(not(feature = "gpu"))]
@@ -67,6 +75,28 @@ mod with_gpu {
             &self.gpu
         }
 
+        /// Whether its memory holds so many bytes; false where the processor takes what it cannot hold.
+        pub(crate) fn holds(&self, bytes: u64) -> Result<bool> {
+            let adapter = self.gpu.adapter();
+            match adapter.memory_bytes {
+                Some(all) if all < bytes && self.gives_way => Ok(false),
+                Some(all) if all < bytes => Err(Error::Resources {
+                    what: format!("memory of {}", adapter.name),
+                    needed_mb: bytes.div_ceil(1_000_000),
+                    available_mb: Some(all / 1_000_000),
+                    advice: "use the processor (--device cpu), a smaller optimizer.lbfgs.memory, or fewer voxels, angles or pixels"
+                        .to_owned(),
+                }),
+                _ => Ok(true),
+            }
+        }
+
+        /// The card and its driver, on which the bits of a run depend.
+        pub(crate) fn version(&self) -> String {
+            let adapter = self.gpu.adapter();
+            format!("{} ({})", adapter.name, adapter.driver)
+        }
+
         /// The most of its memory that was in use at a time since this was asked last, for people; None where nothing was.
         pub(crate) fn memory_used(&self) -> Option<String> {
             let (bytes, adapter) = (self.gpu.most_used(), self.gpu.adapter());
@@ -100,7 +130,9 @@ mod with_gpu {
     impl Accelerator for Card {
         fn model(&self, form: &Form, work: &Work) -> Result<Option<HostModel>> {
             match self.gpu.model(form, work) {
-                Err(Error::Resources { .. }) if self.gives_way => Ok(None),
+                Err(Error::Resources { .. } | Error::Unsupported { .. }) if self.gives_way => {
+                    Ok(None)
+                }
                 other => other,
             }
         }
@@ -133,6 +165,14 @@ mod without {
         }
 
         pub(crate) fn memory_used(&self) -> Option<String> {
+            match *self {}
+        }
+
+        pub(crate) fn holds(&self, _bytes: u64) -> Result<bool> {
+            match *self {}
+        }
+
+        pub(crate) fn version(&self) -> String {
             match *self {}
         }
     }

@@ -260,6 +260,10 @@ impl ResolvedJob {
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
         notes.extend(chosen(spec, &method));
+        notes.extend(card::none_for(
+            spec.resources.device.as_deref(),
+            optics.card.as_ref(),
+        ));
         let cut_off = species::must_be_on(&species, spec, &optics, &grid, work)?;
         time_refusals::must_be_stable(spec, &grid)?;
         let light = must_be_lit(spec, &optics, &species, &grid)?;

@@ -55,8 +55,8 @@ fn simulate_stages(
         false => &mut resolved.notes,
     };
     texts.extend(notes);
-    let beside = written::light_beside(&resolved, &patterns)?;
-    resolved.warnings.extend(beside);
+    let doubts = written::doubts_of_frames(&resolved, &patterns)?;
+    resolved.warnings.extend(doubts);
     let report = report_beside(source);
     respond_as_found(&mut resolved, report.as_ref())?;
     let pitch_mm = report.and_then(|report| report.pointer("/evaluation/grid/pitch_mm")?.as_f64());

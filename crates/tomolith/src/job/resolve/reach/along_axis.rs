@@ -231,10 +231,8 @@ impl Optics {
     /// What brings a light to heights that lie so far, mm, below and above those that it reaches; less than 0: it reaches farther.
     pub(crate) fn remedy(&self, i: usize, short_mm: [f64; 2]) -> Remedy {
         let light = &self.lights[i];
-        let [low, high] = field_mm(light);
         // Seen by the projector, a height is as much smaller as the axis leans
-        let seen = |mm: f64| (mm * self.tilt_rad().cos()).max(low[1] - high[1]);
-        let [below, above] = short_mm.map(seen);
+        let [below, above] = short_mm.map(|mm| mm * self.tilt_rad().cos());
         let key = format!("light[{i}]");
         let [u, v] = light.pixels.offset_mm;
         if is_cut_along_axis(light) {
