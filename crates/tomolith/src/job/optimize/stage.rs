@@ -41,9 +41,10 @@ use tomolith_gpu::{GpuField, model_on};
 /// Part of what a print may lose in IoU (`bounds.tolerance`) by which it may still rise where the loss is steady.
 const RISE: f64 = 0.5;
 
-/// Fields of the loop, at least: of the size of the patterns, without the method's pairs, and of the dose.
-const FIELDS_OF_PIXELS: usize = 6;
-const FIELDS_OF_DOSE: usize = 3;
+/// Bytes that the loop takes on a card, at least, for so many numbers of patterns and of the dose, and pairs of the method.
+pub(crate) fn bytes_on_card(patterns: usize, dose: usize, pairs: usize) -> u64 {
+    (((pairs + 6) * patterns + 3 * dose) * size_of::<f32>()) as u64
+}
 
 /// What the levels before have done.
 #[derive(Default)]
@@ -359,9 +360,9 @@ impl<'a> Stage<'a> {
             return Ok(None);
         };
         let facts = self.model.facts();
-        let fields = self.job.method.pairs().unwrap_or_default() + FIELDS_OF_PIXELS;
-        let numbers = fields * facts.len(Space::Patterns) + FIELDS_OF_DOSE * facts.len(Space::Dose);
-        let holds = card.holds((numbers * size_of::<f32>()) as u64)?;
+        let pairs = self.job.method.pairs().unwrap_or_default();
+        let [patterns, dose] = [Space::Patterns, Space::Dose].map(|space| facts.len(space));
+        let holds = card.holds(bytes_on_card(patterns, dose, pairs))?;
         Ok(holds.then_some((card, form)))
     }
 

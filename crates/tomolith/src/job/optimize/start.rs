@@ -48,12 +48,17 @@ pub(crate) fn starting_patterns(
     start: &dyn InitialPatterns,
     work: &Work,
 ) -> Result<HostField> {
-    let given = (0..job.optics.lights.len()).map(|light| job.bounds_of(light));
-    let given = given.map(|(min, max)| Limits {
-        min,
-        max: max.unwrap_or(f64::INFINITY),
+    // Files that are scaled are bounded after that
+    let is_scaled = job.method.start.files().is_some_and(|files| files.scaled);
+    let is_free = is_scaled && start.is_given() && model.is_linear();
+    let limits = (0..job.optics.lights.len()).map(|light| match job.bounds_of(light) {
+        (min, Some(max)) if !is_free => Limits { min, max },
+        (min, _) => Limits {
+            min: if is_free { 0.0 } else { min },
+            max: f64::INFINITY,
+        },
     });
-    let limits: Vec<Limits> = given.collect();
+    let limits: Vec<Limits> = limits.collect();
     let response = job.first().goal.response.as_ref();
     let absorption = job.optics.lights[0].absorption_on(&voxels[0].labels.grid);
     let input = |model| start_input(model, &voxels[0], absorption.as_ref(), response, &limits);

@@ -311,6 +311,33 @@ fn an_optimization_ends_where_its_loss_hardly_changes() {
 }
 
 #[test]
+fn files_of_any_brightness_begin_alike_where_they_are_scaled() {
+    let place = tempfile::tempdir().unwrap();
+    let of_start = "bounds = { ceiling = \"start\" }";
+    let done = optimized(gear_until("iterations = 8", of_start), place.path());
+    let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
+    let begins = |factor: f32, bounds: &str| {
+        let file = place.path().join("scaled.npz");
+        let mut patterns = done.raw[0].clone();
+        patterns.values.iter_mut().for_each(|v| *v *= factor);
+        let pair = PatternPair {
+            light: None,
+            shown: &patterns,
+            raw: None,
+        };
+        write_patterns(&file, &[pair], &Work::new()).unwrap();
+        let start = format!("start = {{ patterns = {{ file = {file:?}, scaled = true }} }}");
+        let job = gear_until("iterations = 0", &format!("{bounds}\n{start}"));
+        optimized(job, place.path()).outcome.history[0].loss
+    };
+    let loss = begins(1.0, "");
+    let bound = format!("bounds = {{ max = {} }}", 2.0 * brightest);
+    for (factor, bounds) in [(0.1, ""), (100.0, bound.as_str()), (0.1, &bound)] {
+        tomolith_core::near!(begins(factor, bounds) / loss, 1.0, 1e-3);
+    }
+}
+
+#[test]
 fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
     let place = tempfile::tempdir().unwrap();
     let first = |more: &str| {

@@ -7,6 +7,7 @@ use crate::job::dose::model_probe::try_orders;
 use crate::job::evaluate::light_paths::scene;
 use crate::job::optimize::iterations_of_ceiling;
 use crate::job::optimize::rehearsal::{Rehearsal, rehearse};
+use crate::job::optimize::stage::bytes_on_card;
 use crate::job::output::summary::Plan;
 use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
@@ -78,6 +79,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
     if !is_tried {
         let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
         resolved.notes.push(text.to_owned());
+        resolved.warnings.extend(too_large_for_card(&resolved));
     }
     if let Some(memory) = memory_used(&resolved) {
         let least = if is_tried { "" } else { "at least " };
@@ -143,6 +145,21 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         notes: resolved.notes.clone(),
         warnings,
     })
+}
+
+/// Warns of a loop that a card can hardly hold, by the estimate of the pixels that meet the part.
+fn too_large_for_card(resolved: &ResolvedJob) -> Option<String> {
+    let (card, extent) = (resolved.optics.card.as_ref()?, &resolved.extent);
+    let pairs = resolved.method.pairs().unwrap_or_default();
+    let bytes = bytes_on_card(extent.active_pixels, extent.finest.len(), pairs);
+    match card.holds(bytes) {
+        Ok(true) => None,
+        Ok(false) => Some(
+            "the optimization is likely to be too large for the card: then the processor does it"
+                .to_owned(),
+        ),
+        Err(error) => Some(format!("the optimization is likely to be refused: {error}")),
+    }
 }
 
 /// What is known of the print's time before a run; None where nothing is.
