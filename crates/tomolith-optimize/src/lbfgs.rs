@@ -68,7 +68,7 @@ pub const NAME: &str = "lbfgs";
 pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
     Kind {
         name: NAME,
-        summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
+        summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, line search",
         example: "[optimizer.lbfgs]\nmemory = 6",
         schema: schema_of::<Params>,
         build: read::<F, Params>,

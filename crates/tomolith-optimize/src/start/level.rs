@@ -30,7 +30,7 @@ pub struct Zero;
 pub const fn uniform<F: Field>() -> Kind<BuildStart<F>> {
     Kind {
         name: "uniform",
-        summary: "every pixel alike, the part's mean dose right",
+        summary: "every pixel alike, the part's doses right by least squares",
         example: "[start.uniform]",
         schema: schema_of::<Params>,
         build: |section| {
