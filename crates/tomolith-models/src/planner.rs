@@ -30,6 +30,8 @@ pub struct ModelPlan {
     pub dark: Vec<bool>,
     /// Linear surrogate used for initial patterns and pixel selection; None when the model itself is to be used.
     pub surrogate: Option<HostModel>,
+    /// Whether a card computes its doses.
+    pub is_on_card: bool,
 }
 
 /// The families that are tried where a job names none, cheapest first.
@@ -157,8 +159,10 @@ pub fn plan(
     };
     let model = model.and_dark(dark.clone());
     let why = why(family.as_ref(), &input.scene, grid);
+    let is_on_card = scene.accelerator.is_some() && place.is_none();
     let place = place.unwrap_or_default();
     Ok(ModelPlan {
+        is_on_card,
         reason: format!("{}: {why}{place}", model.describe()),
         model,
         dark,
@@ -212,6 +216,7 @@ fn stored(
     }
     let model = MaskedModel::new(model, dark.clone(), input.scene.dose_factor);
     Ok(ModelPlan {
+        is_on_card: false,
         reason: format!("{} {}", model.describe(), family.merit()),
         model,
         dark,

@@ -81,11 +81,12 @@ pub(crate) fn joined(
         };
         plans.iter().flat_map(dark_of).collect()
     };
-    let reason = plans[0].reason.clone();
+    let (reason, is_on_card) = (plans[0].reason.clone(), plans[0].is_on_card);
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
     let boxed = |plan: ModelPlan| Box::new(plan.model) as HostModel;
     let model = join(plans.into_iter().map(boxed).collect())?;
     Ok(ModelPlan {
+        is_on_card,
         reason: format!(
             "{} species by {count} lights, each alone: {reason}",
             rows.len()

@@ -41,6 +41,9 @@ use tomolith_gpu::{GpuField, model_on};
 /// Part of what a print may lose in IoU (`bounds.tolerance`) by which it may still rise where the loss is steady.
 const RISE: f64 = 0.5;
 
+/// What to say where a card computes doses alone.
+const LOOP_HERE: &str = "; the loop around its doses runs on the processor";
+
 /// Bytes that the loop takes on a card, at least, for so many numbers of patterns and of the dose, and pairs of the method.
 pub(crate) fn bytes_on_card(patterns: usize, dose: usize, pairs: usize) -> u64 {
     (((pairs + 6) * patterns + 3 * dose) * size_of::<f32>()) as u64
@@ -163,6 +166,8 @@ impl<'a> Stage<'a> {
         }
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
         let (model, nominal) = joined(job, model, &dark, level, work)?;
+        let loop_there = !plan.is_on_card || model.form().is_some();
+        let place = if loop_there { "" } else { LOOP_HERE };
         Ok(Stage {
             job,
             level,
@@ -171,7 +176,7 @@ impl<'a> Stage<'a> {
             straight: plan.surrogate,
             nominal,
             dark,
-            reason: plan.reason,
+            reason: plan.reason + place,
             found: None,
             finer: OnceCell::new(),
         })
