@@ -488,7 +488,7 @@ impl Printer {
         Ok(patterns)
     }
 
-    /// Share of the light of frames that falls beside all copies of the patterns, without what level 0 gives; 0 for dark frames.
+    /// Share of the light of frames on pixels that no pixel of the patterns meets, of any copy, without what level 0 gives; 0 for dark frames.
     ///
     /// # Errors
     /// [`Error::Shape`] when the frames are not those of the device.
@@ -508,7 +508,8 @@ impl Printer {
             let pixels = covered.iter().enumerate();
             pixels.fold([0.0; 2], |[all, beside], (device, share)| {
                 let light = light(device);
-                [all + light, beside + light * (1.0 - share).max(0.0)]
+                let is_beside = *share <= 0.0;
+                [all + light, beside + light * f64::from(u8::from(is_beside))]
             })
         });
         let [all, beside] = (sums.iter()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);

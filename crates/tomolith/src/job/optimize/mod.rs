@@ -17,7 +17,7 @@ use crate::grid::Patterns;
 use crate::job::dose::cache::RunCache;
 use crate::job::progress::Progress;
 use crate::job::resolve::free_parameters::FoundResponse;
-use crate::job::resolve::identity::fingerprint;
+use crate::job::resolve::identity::{fingerprint, without_names};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::Work;
 use crate::objective::FoundWindow;
@@ -139,7 +139,7 @@ fn open_checkpoints(
     if let Some(card) = card {
         tables[CARD] = card.version().into();
     }
-    let mut checkpoints = checkpoints.describing(tables);
+    let mut checkpoints = checkpoints.describing(without_names(tables));
     let resumed = if plan.resume || job.is_first() {
         resumes(&checkpoints, plan.resume, card, progress)
     } else {

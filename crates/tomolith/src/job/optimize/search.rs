@@ -64,6 +64,14 @@ impl<'a> Search<'a> {
             let text = found.report.sentence();
             progress.event(&Event::Note { text });
         }
+        let coarse = ceiling.as_ref().and_then(|_| job.compares_coarsely());
+        if let Some(text) = coarse.clone() {
+            progress.event(&Event::Warning { text });
+        }
+        let sofar = SoFar {
+            warnings: coarse.into_iter().collect(),
+            ..SoFar::default()
+        };
         Ok(Search {
             job,
             voxels,
@@ -77,7 +85,7 @@ impl<'a> Search<'a> {
             highest: Vec::new(),
             bounds: Vec::new(),
             carried: None,
-            sofar: SoFar::default(),
+            sofar,
             progress,
             work,
         })

@@ -27,6 +27,7 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     let entries = [&finest_cost, &job_cost].map(|cost| cost.entries);
     let (lights, iterations) = (&resolved.optics.lights, spec.stop.iterations);
     let effort = refinement::effort(&resolved.levels, grid, lights, iterations, entries);
+    let judged_finer = refinement::judged_finer(resolved, family.as_ref());
     let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);
     Ok(Extent {
         effort: effort * (1 + spec.scenario.len()) as f64,
@@ -35,7 +36,8 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         finest: last.grid.clone(),
         fields: with_fields(spec, &resolved.species),
         in_time: in_time(spec),
-        judged_finer: refinement::judged_finer(resolved, family.as_ref()),
+        judged_finer,
+        judged_finer_asked: judged_finer,
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
         // Dose and target, and a label, and a level of eighths
@@ -53,29 +55,24 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     })
 }
 
-/// Voxels so many times finer, in words.
-fn voxels_of(finer: usize) -> String {
-    match finer {
-        1 => "the optimization's own voxels".to_owned(),
-        finer => format!("{finer}× finer voxels"),
-    }
-}
-
 impl ResolvedJob {
+    /// What to say where prints below a ceiling are compared on voxels that fit the memory budget.
+    pub(crate) fn compares_coarsely(&self) -> Option<String> {
+        let judged = |finer| refinement::judged(&self.extent.finest, finer);
+        let is_lowered = judged(self.extent.judged_finer) != judged(self.extent.judged_finer_asked);
+        is_lowered.then(|| {
+            "the memory budget (resources.memory_gb) is too small: prints below a ceiling of the pixels are compared on coarser voxels than those of the evaluation, and the ceiling may \
+             end elsewhere"
+                .to_owned()
+        })
+    }
+
     /// Lowers what prints below a ceiling are compared on, the optimizer's memory and the refinement of the evaluation until all fit, and says so.
     pub(crate) fn fit_memory(&mut self) -> Result<()> {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
         let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
-        let asked = self.extent.compared_finer();
         while !fits(self.extent.optimization_mb()) && self.extent.judged_finer > 1 {
             self.extent.judged_finer -= 1;
-        }
-        let compared = self.extent.compared_finer();
-        if compared < asked {
-            self.warnings.push(format!(
-                "the memory budget (resources.memory_gb) is too small: prints below a ceiling of the pixels are compared on {}, not on {asked}× finer voxels, and the ceiling may end elsewhere",
-                voxels_of(compared)
-            ));
         }
         let asked = self.extent.memory;
         while !fits(self.extent.optimization_mb()) && self.extent.memory > LEAST_MEMORY {

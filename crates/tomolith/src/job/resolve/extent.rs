@@ -74,6 +74,8 @@ pub(crate) struct Extent {
     pub(crate) fields: usize,
     /// How many times finer than the optimization's the voxels are on which ceilings are judged, at most.
     pub(crate) judged_finer: usize,
+    /// The same without a memory budget.
+    pub(crate) judged_finer_asked: usize,
     /// Volumes of the job's voxels that a print in time takes in the evaluation, 0 without one.
     pub(crate) in_time: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
@@ -145,6 +147,7 @@ impl Extent {
             memory,
             fields: 0,
             judged_finer: 1,
+            judged_finer_asked: 1,
             in_time: 0,
             canvas: 0,
             cached_entries: None,
@@ -231,12 +234,6 @@ impl Extent {
     fn of_rows(&self) -> f64 {
         let along_rows = self.work(1) < self.lanes(1);
         f64::from(u8::from(along_rows)) * self.work(1) * 4.0
-    }
-
-    /// How many times finer the voxels are on which prints below a ceiling are compared.
-    pub(crate) fn compared_finer(&self) -> usize {
-        let judged = refinement::judged(&self.finest, self.judged_finer);
-        (self.finest.pitch_mm / judged.pitch_mm).round() as usize
     }
 
     /// Bytes of the finer voxels on which ceilings are judged.
@@ -366,6 +363,7 @@ pub(crate) mod tests {
             memory: 10,
             fields: 0,
             judged_finer: 1,
+            judged_finer_asked: 1,
             in_time: 0,
             canvas: 0,
             cached_entries: None,

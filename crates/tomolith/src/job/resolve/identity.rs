@@ -48,19 +48,25 @@ pub(crate) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
     let prints = |body: &Value| body["role"] == "print";
     let bodies = tables["target"]["body"].as_array();
     let changes_light = bodies.is_some_and(|bodies| !bodies.iter().all(prints));
-    let mut parts = of_voxels(voxels).to_vec();
-    if let Some(map) = tables.as_object_mut() {
-        match map.get_mut("target").and_then(Value::as_object_mut) {
-            Some(target) if changes_light => drop(target.remove("name")),
-            _ => drop(map.remove("target")),
-        }
-        for file in files_in(map) {
-            parts.push(content(&base.join(file.as_str().unwrap_or_default()))?);
-            *file = Value::Null;
-        }
+    if let Some(map) = tables.as_object_mut().filter(|_| !changes_light) {
+        map.remove("target");
     }
-    parts.push(hash(tables.to_string().as_bytes()));
+    let mut parts = of_voxels(voxels).to_vec();
+    contents(&tables, base, &mut parts)?;
+    parts.push(hash(without_names(tables).to_string().as_bytes()));
     Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// Tables without what may change while the job stays the same: where its files lie, and what the part is called.
+pub(crate) fn without_names(mut tables: Value) -> Value {
+    if let Some(target) = tables.get_mut("target").and_then(Value::as_object_mut) {
+        target.remove("name");
+    }
+    let map = tables.as_object_mut();
+    for file in map.map(files_in).unwrap_or_default() {
+        *file = Value::Null;
+    }
+    tables
 }
 
 /// A hash of the pixels that the machines of the lights cannot light; None where they light all.

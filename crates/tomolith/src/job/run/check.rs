@@ -88,6 +88,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
     }
     let mut warnings = resolved.warnings.clone();
     warnings.extend(of_voxels);
+    warnings.extend(resolved.compares_coarsely().filter(|_| of_ceiling > 0));
     // How much there is to time is not known beforehand
     let timing = stage(progress, work, "timing a few frames on this machine").aside();
     let rates = benchmark::rates(&resolved, &voxels[0], sampling_s, &timing)?;
