@@ -32,7 +32,7 @@ export interface Gel {
   objective: [number, number] | null;
   tolerance: number | null;
   iou(threshold: number): number | null;
-  /** Exposure that gels at this threshold, % of the best one: more light, lower threshold. Null for a threshold of a response. */
+  /** Exposure that gels at this threshold, % of the best one: more light, lower threshold. Null for other thresholds of a response. */
   percent(threshold: number): number | null;
   /** Volume that gels and should not, mm³. */
   tooMuch(threshold: number): number | null;
@@ -84,7 +84,7 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
     objective: window,
     tolerance: exposure?.tolerance ?? null,
     iou: (threshold) => (threshold === official ? evaluation.iou : null) ?? interpolated(curve, threshold) ?? counts?.iou(threshold) ?? null,
-    percent: (threshold) => (best === null || threshold <= 0 || !isDose ? null : (100 * best) / threshold),
+    percent: (threshold) => (best === null || threshold <= 0 || !(isDose || threshold === best) ? null : (100 * best) / threshold),
     tooMuch: (threshold) => (threshold === official ? evaluation.over_mm3 : null) ?? counts?.tooMuch(threshold) ?? null,
     missing: (threshold) => (threshold === official ? evaluation.under_mm3 : null) ?? counts?.missing(threshold) ?? null,
   };
