@@ -304,8 +304,13 @@ mod tests {
             ..scene
         };
         let with = planned(None, beside_card(evaluated), light());
-        assert_eq!(with, planned(None, evaluated, light()) + ON_PROCESSOR);
+        assert_eq!(with, planned(None, evaluated, light()) + TOO_LARGE);
         let (grid, lights) = (VolumeGrid::centered([6, 8, 8], 0.1), [light()]);
+        // The processor's model of waves has a form by itself
+        let wave: Family = Arc::new(wave::Params::default());
+        let scene = beside_card(evaluated).lit_by(&lights);
+        let waves = plan(Some(&wave), scene, &grid, None, &Work::new()).unwrap();
+        assert!(waves.reason.ends_with(TOO_LARGE) && waves.model.form().is_none());
         let optimized = beside_card(around(&level, None)).lit_by(&lights);
         let refused = plan(None, optimized, &grid, None, &Work::new());
         assert!(matches!(refused, Err(Error::Resources { .. })));

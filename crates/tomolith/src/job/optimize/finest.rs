@@ -205,10 +205,14 @@ impl GoOn<'_, '_> {
             if is_over || is_worse || self.is_as_good(&qualities, &trial.after) {
                 break;
             }
-            trial.changed_by = step;
-            ended
-                .bounds
-                .clone_from_slice(&scaled(&lowest, ended.highest, step));
+            let raised = scaled(&lowest, ended.highest, step);
+            // The bound of the start may cut it
+            let by = raised
+                .iter()
+                .zip(&lowest)
+                .map(|(now, low)| now.max / low.max);
+            trial.changed_by = by.fold(1.0, f64::max).min(step);
+            ended.bounds.clone_from_slice(&raised);
             ended.outcome = self.on(ended.x, ended.bounds, &ended.outcome)?;
             qualities = stage.qualities(ended.x, false, &trial.after, self.work)?;
         }
