@@ -432,7 +432,12 @@ fn numbers(
             continue;
         };
         let wide = |text: &String| width >= WRITTEN.max(GLYPH * text.chars().count() as f64);
-        let texts = [3, 2].map(|digits| significant(value, digits));
+        // An IoU of nearly 1 is not 1
+        let digits = match value < 1.0 && significant(value, 3) == "1" {
+            true => [4, 3],
+            false => [3, 2],
+        };
+        let texts = digits.map(|digits| significant(value, digits));
         let Some(text) = texts.into_iter().find(wide).filter(|_| height >= 18.0) else {
             left_out += 1;
             continue;
@@ -771,6 +776,10 @@ mod tests {
         let place = |text: &str| few.find(text).unwrap_or_else(|| panic!("{text}: {few}"));
         assert!(place("class=\"guide\"") < place("class=\"plate\""));
         assert!(place("class=\"plate\"") < place(">0.125<"));
+        let one = [scale("x", 2), scale("y", 1)];
+        let nearly = panel("", [cell(Some(0.9997), true), cell(Some(1.0), true)]);
+        let nearly = heat_maps("m", [&one[0], &one[1]], &[nearly], &[], "");
+        assert!(nearly.contains(">0.9997<") && nearly.contains(">1<"));
         assert!(!few.contains("too small") && !few.contains("have room"));
         let many = map(20);
         assert!(!many.contains("class=\"plate\""));

@@ -167,7 +167,7 @@ fn too_large_for_card(resolved: &ResolvedJob) -> Option<String> {
 fn print_time(resolved: &ResolvedJob, of_ceiling: usize) -> Option<String> {
     if of_ceiling > 0 {
         return Some(format!(
-            "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations: the print time N·M/t is known \
+            "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations, and more where it rises on the finest voxels: the print time N·M/t is known \
              then. bounds.max or printer.time_s set it beforehand"
         ));
     }
