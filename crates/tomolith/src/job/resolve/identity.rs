@@ -187,4 +187,16 @@ mod tests {
             std::fs::write(folder.path().join(name), "1").unwrap();
         }
     }
+
+    #[test]
+    fn names_and_places_of_files_are_not_the_job() {
+        let job = |name: &str, mesh: &str, role: &str| {
+            let body = serde_json::json!({ "mesh": mesh, "role": role });
+            let tables = serde_json::json!({ "target": { "name": name, "body": [body] } });
+            without_names(tables)
+        };
+        let here = job("knob", "knob.stl", "insert");
+        assert_eq!(here, job("another", "moved/knob.stl", "insert"));
+        assert_ne!(here, job("knob", "knob.stl", "keep-dark"));
+    }
 }
