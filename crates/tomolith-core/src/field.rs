@@ -47,6 +47,7 @@ pub mod half_ramp;
 mod pairs;
 pub mod scratch;
 
+use crate::dose::{Facts, Space};
 use crate::error::Result;
 use crate::parallel::InParallel;
 use crate::ranks::Communicator;
@@ -57,6 +58,7 @@ pub use half_ramp::{ColumnRun, HalfRamp, HalfRampKernel, HostHalfRamp};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, PairsPart, Products};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Elements per block of a parallel loop: 256 kB of f32, a compromise between cache and scheduling.
@@ -173,6 +175,17 @@ pub struct Secant {
     pub yy: f64,
 }
 
+/// Neighboring elements of one field, and as many of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stretch {
+    /// The first of those that are written.
+    pub to: usize,
+    /// The first of those that are read.
+    pub from: usize,
+    /// How many.
+    pub count: usize,
+}
+
 /// A flat vector of f32 somewhere. All operations on two fields need equal lengths and panic otherwise
 /// (a programming error, not a user's).
 pub trait Field: Clone + Send + Sync + 'static {
@@ -195,10 +208,14 @@ pub trait Field: Clone + Send + Sync + 'static {
     }
     /// Zeros of the same length, in the same memory.
     fn zeros_like(&self) -> Self;
+    /// Zeros as a model of these facts has them, in the same memory.
+    fn zeros_of(&self, facts: &Facts<'_>, space: Space) -> Self;
     /// Overwrites with `other`.
     fn copy_from(&mut self, other: &Self);
     /// Overwrites with one value.
     fn fill(&mut self, value: f32);
+    /// Overwrites some elements with 0.
+    fn clear(&mut self, range: Range<usize>);
     /// Copies to host memory.
     fn to_host(&self) -> Vec<f32>;
     /// What counts the voxels of such doses where they live, by labels of its first elements; None where they are as well read in place.
@@ -239,6 +256,8 @@ pub trait Field: Clone + Send + Sync + 'static {
 
     /// self ← self + a·x
     fn axpy(&mut self, a: f32, x: &Self);
+    /// self ← self + a·x in stretches that share no element of self (`adds`), or self ← a·x there; the rest of self stays as it is.
+    fn set_stretches(&mut self, adds: bool, a: f32, x: &Self, stretches: &[Stretch]);
     /// self ← a·self
     fn scale(&mut self, a: f32);
     /// self ← self + a
@@ -476,6 +495,29 @@ impl Field for HostField {
         }
     }
 
+    fn zeros_of(&self, facts: &Facts<'_>, space: Space) -> Self {
+        facts.host_field(space)
+    }
+
+    fn set_stretches(&mut self, adds: bool, a: f32, x: &Self, stretches: &[Stretch]) {
+        let (to, from) = (self.as_mut_slice(), x.as_slice());
+        for part in stretches {
+            let to = &mut to[part.to..][..part.count];
+            let from = &from[part.from..][..part.count];
+            let blocks = to.chunks_mut(BLOCK).zip(from.chunks(BLOCK));
+            // The sum with 0 makes no −0
+            let each = |(to, from): (&mut [f32], &[f32])| {
+                for (to, &from) in to.iter_mut().zip(from) {
+                    *to = if adds { *to } else { 0.0 } + a * from;
+                }
+            };
+            match part.count > BLOCK {
+                true => blocks.par_each(each),
+                false => blocks.for_each(each),
+            }
+        }
+    }
+
     fn total(&self, local: f64) -> f64 {
         let mut sum = [local];
         self.add_up(&mut sum);
@@ -488,6 +530,11 @@ impl Field for HostField {
 
     fn fill(&mut self, value: f32) {
         self.map_blocks(&|block| block.fill(value));
+    }
+
+    fn clear(&mut self, range: Range<usize>) {
+        let blocks = self.as_mut_slice()[range].chunks_mut(BLOCK);
+        blocks.par_each(|block| block.fill(0.0));
     }
 
     fn dot(&self, other: &Self) -> f64 {

@@ -11,6 +11,7 @@ use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseModel, Facts, Renewal, Space, Work, frames_of};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
+use tomolith_models::several::{Several, SharedModel};
 
 /// The model of a form on a card.
 ///
@@ -27,6 +28,11 @@ pub fn model_on(
         Form::Rays(form) => Box::new(GpuRays::new(gpu, form, work)?),
         Form::Paths(form) => Box::new(GpuPaths::new(gpu, form, work)?),
         Form::Waves(form) => Box::new(GpuWaves::new(gpu, form, work)?),
+        Form::Joint(forms, joint) => {
+            let models = forms.iter().map(|form| model_on(gpu, form, work));
+            let models = models.map(|model| model.map(SharedModel::from));
+            Box::new(Several::new(models.collect::<Result<_>>()?, joint.clone())?)
+        }
     })
 }
 

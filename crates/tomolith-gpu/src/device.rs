@@ -407,10 +407,15 @@ impl Gpu {
         }
     }
 
-    /// Fills a part of a buffer with zero bits.
+    /// Fills the first bytes of a buffer with zero bits.
     pub(crate) fn clear(&self, buffer: &Buffer, bytes: u64) {
+        self.clear_part(buffer, 0, bytes);
+    }
+
+    /// Fills a part of a buffer, which begins at a multiple of 4, with zero bits.
+    pub(crate) fn clear_part(&self, buffer: &Buffer, begin: u64, bytes: u64) {
         self.record(|encoder, _| {
-            encoder.clear_buffer(buffer.raw(), 0, Some(bytes.next_multiple_of(4)));
+            encoder.clear_buffer(buffer.raw(), begin, Some(bytes.next_multiple_of(4)));
         });
     }
 

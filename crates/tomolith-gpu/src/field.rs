@@ -11,10 +11,12 @@ use crate::device::{Buffer, Gpu};
 use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
 use crate::passes::{Operand, Pass};
+use crate::stretches::{Chunks, Pairs};
 use std::borrow::Cow;
-use tomolith_core::dose::{DoseLayout, PatternLayout, Space};
+use std::ops::Range;
+use tomolith_core::dose::{DoseLayout, Facts, PatternLayout, Space};
 use tomolith_core::error::Result;
-use tomolith_core::field::{Bounds, Counter, Field, Secant, StepSums};
+use tomolith_core::field::{Bounds, Counter, Field, Secant, StepSums, Stretch};
 
 /// A [`Field`] on a graphics card.
 pub struct GpuField {
@@ -58,7 +60,7 @@ impl GpuField {
     /// `len` zeros, in pieces of whole rows of so many elements.
     pub(crate) fn zeros(gpu: &Gpu, len: usize, row: usize) -> Self {
         let field = Self::uninitialized(gpu, len, row);
-        field.clear();
+        field.darken();
         field
     }
 
@@ -110,7 +112,7 @@ impl GpuField {
     /// Zeros in pieces of these lengths.
     pub(crate) fn of_lengths(gpu: &Gpu, lengths: Vec<usize>) -> Self {
         let field = Self::of_pieces(gpu, lengths);
-        field.clear();
+        field.darken();
         field
     }
 
@@ -119,7 +121,8 @@ impl GpuField {
         Self::of_pieces(&self.gpu, self.lengths.clone())
     }
 
-    fn clear(&self) {
+    /// All elements ← 0
+    fn darken(&self) {
         for (piece, &n) in self.pieces.iter().zip(&self.lengths) {
             self.gpu.clear(piece, 4 * n as u64);
         }
@@ -153,7 +156,7 @@ impl GpuField {
     }
 
     /// First element and length of each piece.
-    pub(crate) fn ranges(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+    pub(crate) fn ranges(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let mut begin = 0;
         self.lengths.iter().map(move |&n| {
             let range = begin..begin + n;
@@ -316,8 +319,55 @@ impl Field for GpuField {
 
     fn zeros_like(&self) -> Self {
         let field = self.scratch_like();
-        field.clear();
+        field.darken();
         field
+    }
+
+    fn zeros_of(&self, facts: &Facts<'_>, space: Space) -> Self {
+        match (space, facts.outputs.last()) {
+            (Space::Dose, Some(output)) => Self::for_dose(&self.gpu, output),
+            (Space::Dose, None) => Self::zeros(&self.gpu, 0, 1),
+            (Space::Patterns, _) => {
+                Self::of_lengths(&self.gpu, pieces_of_frames(&self.gpu, facts.patterns))
+            }
+        }
+    }
+
+    fn set_stretches(&mut self, adds: bool, a: f32, x: &Self, stretches: &[Stretch]) {
+        assert!(self.gpu.is(&x.gpu), "fields of two graphics cards");
+        let pairs = stretches.iter().map(|part| Pairs {
+            first: part.to,
+            second: part.from,
+            count: part.count,
+            weight: 1.0,
+        });
+        let chunks = Chunks::new(&self.gpu, [self, x], pairs);
+        let (name, body) = match adds {
+            true => ("add stretches", "y[i] += p.a.x * x[j];"),
+            false => ("set stretches", "y[i] = p.a.x * x[j];"),
+        };
+        let pass = Pass {
+            name,
+            functions: "",
+            body,
+            numbers: [[a, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
+        };
+        let sides = [
+            (Operand::written("y", &self.pieces), 0),
+            (Operand::read("x", &x.pieces), 1),
+        ];
+        chunks.each(&self.gpu, &pass, &sides);
+    }
+
+    fn clear(&mut self, elements: Range<usize>) {
+        for (range, piece) in self.ranges().zip(&self.pieces) {
+            let begin = range.start.max(elements.start);
+            let end = range.end.min(elements.end);
+            if begin < end {
+                let [begin, count] = [begin - range.start, end - begin].map(|n| 4 * n as u64);
+                self.gpu.clear_part(piece, begin, count);
+            }
+        }
     }
 
     fn copy_from(&mut self, other: &Self) {
@@ -329,7 +379,7 @@ impl Field for GpuField {
 
     fn fill(&mut self, value: f32) {
         if value.to_bits() == 0 {
-            return self.clear();
+            return self.darken();
         }
         self.update("fill", "y[i] = p.a.x;", &[], [value, 0.0, 0.0, 0.0]);
     }

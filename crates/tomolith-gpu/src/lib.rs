@@ -23,6 +23,7 @@ mod passes;
 mod paths;
 mod rays;
 mod scattered;
+mod stretches;
 mod strips;
 mod transforms;
 mod waves;

@@ -95,9 +95,13 @@ fn main(@builtin(workgroup_id) group_at: vec3<u32>, @builtin(num_workgroups) gro
     let group = group_at.y * group_count.x + group_at.x;
 ";
 
-fn declared(operands: &[Operand<'_>]) -> String {
+/// Declares arrays, from a binding on.
+pub(crate) fn declared<'a>(
+    first: u32,
+    operands: impl IntoIterator<Item = &'a Operand<'a>>,
+) -> String {
     let mut text = String::new();
-    for (binding, operand) in (1..).zip(operands) {
+    for (binding, operand) in (first..).zip(operands) {
         let access = if operand.is_written {
             "read_write"
         } else {
@@ -113,7 +117,7 @@ fn declared(operands: &[Operand<'_>]) -> String {
 }
 
 impl Pass<'_> {
-    fn parameters(&self, n: usize, [chunk, groups, first]: [u32; 3]) -> Vec<u32> {
+    pub(crate) fn parameters(&self, n: usize, [chunk, groups, first]: [u32; 3]) -> Vec<u32> {
         let head = [n as u32, chunk, groups, first];
         let numbers = self.numbers.as_flattened().iter().map(|v| v.to_bits());
         head.into_iter().chain(numbers).collect()
@@ -123,7 +127,7 @@ impl Pass<'_> {
     pub(crate) fn each(&self, gpu: &Gpu, operands: &[Operand<'_>], lengths: &[usize]) {
         let source = || {
             let (functions, body) = (self.functions, self.body);
-            let declared = declared(operands);
+            let declared = declared(1, operands);
             format!(
                 "{HEAD}{declared}{functions}{ENTRY}
     let i = group * 256u + thread;
@@ -202,78 +206,103 @@ impl Pass<'_> {
             gpu.run_groups(self.name, &source, &parameters, &buffers, groups as u64);
             first += groups as u32;
         }
-        let rows = MOST_BACK / count;
-        if all <= rows {
-            return Pending {
-                buffer: partial,
-                rows: all,
-                count,
-            };
-        }
-        let together = all.div_ceil(rows);
-        let rows = all.div_ceil(together);
-        let folded = gpu.buffer((rows * count * 4) as u64);
-        let numbers = [all, together, count, rows].map(|v| v as u32);
-        gpu.run(
-            &format!("fold {}", how.number()),
-            &|| fold(how),
-            &numbers,
-            &[&partial, &folded],
-            rows * count,
-        );
-        Pending {
-            buffer: folded,
-            rows,
-            count,
-        }
+        folded(gpu, partial, all, count, how)
     }
 
     fn source_of_sums(&self, operands: &[Operand<'_>], count: usize, how: Combine) -> String {
-        let number = how.number();
-        let mut text = format!("{HEAD}{}", declared(operands));
-        let binding = operands.len() + 1;
-        let _ = writeln!(
-            text,
-            "@group(0) @binding({binding}) var<storage, read_write> partial: array<{number}>;"
-        );
-        for k in 0..count {
-            let _ = writeln!(text, "var<workgroup> shared{k}: array<{number}, 256>;");
-        }
-        text += self.functions;
-        text += ENTRY;
-        for k in 0..count {
-            let _ = writeln!(text, "var s{k} = {number}(0);");
-        }
-        let _ = writeln!(
-            text,
+        let walk = format!(
             "let begin = group * p.chunk;
     let end = min(begin + p.chunk, p.n);
     for (var i = begin + thread; i < end; i += 256u) {{
         {}
-    }}",
+    }}
+",
             self.body
         );
-        for k in 0..count {
-            let _ = writeln!(text, "shared{k}[thread] = s{k};");
-        }
-        text += "for (var half = 128u; half > 0u; half /= 2u) {
+        let binding = operands.len() + 1;
+        let declared = declared(1, operands);
+        sums_of(&declared, binding, self.functions, &walk, count, how)
+    }
+}
+
+/// The kernel of a pass with sums: `walk` goes through what a group has, the sums of the group come at a binding.
+pub(crate) fn sums_of(
+    declared: &str,
+    binding: usize,
+    functions: &str,
+    walk: &str,
+    count: usize,
+    how: Combine,
+) -> String {
+    let number = how.number();
+    let mut text = format!("{HEAD}{declared}");
+    let _ = writeln!(
+        text,
+        "@group(0) @binding({binding}) var<storage, read_write> partial: array<{number}>;"
+    );
+    for k in 0..count {
+        let _ = writeln!(text, "var<workgroup> shared{k}: array<{number}, 256>;");
+    }
+    text += functions;
+    text += ENTRY;
+    for k in 0..count {
+        let _ = writeln!(text, "var s{k} = {number}(0);");
+    }
+    text += walk;
+    for k in 0..count {
+        let _ = writeln!(text, "shared{k}[thread] = s{k};");
+    }
+    text += "for (var half = 128u; half > 0u; half /= 2u) {
         workgroupBarrier();
         if (thread < half) {\n";
-        for k in 0..count {
-            let shared = format!("shared{k}[thread]");
-            let both = how.expression(&shared, &format!("shared{k}[thread + half]"));
-            let _ = writeln!(text, "{shared} = {both};");
-        }
-        text += "}
+    for k in 0..count {
+        let shared = format!("shared{k}[thread]");
+        let both = how.expression(&shared, &format!("shared{k}[thread + half]"));
+        let _ = writeln!(text, "{shared} = {both};");
+    }
+    text += "}
     }
     if (thread == 0u && group < p.groups) {\n";
-        for k in 0..count {
-            let _ = writeln!(
-                text,
-                "partial[(p.first + group) * {count}u + {k}u] = shared{k}[0];"
-            );
-        }
-        text + "}\n}\n"
+    for k in 0..count {
+        let _ = writeln!(
+            text,
+            "partial[(p.first + group) * {count}u + {k}u] = shared{k}[0];"
+        );
+    }
+    text + "}\n}\n"
+}
+
+/// Partial sums of so many groups, as few as may come back.
+pub(crate) fn folded(
+    gpu: &Gpu,
+    partial: Buffer,
+    all: usize,
+    count: usize,
+    how: Combine,
+) -> Pending {
+    let rows = MOST_BACK / count;
+    if all <= rows {
+        return Pending {
+            buffer: partial,
+            rows: all,
+            count,
+        };
+    }
+    let together = all.div_ceil(rows);
+    let rows = all.div_ceil(together);
+    let folded = gpu.buffer((rows * count * 4) as u64);
+    let numbers = [all, together, count, rows].map(|v| v as u32);
+    gpu.run(
+        &format!("fold {}", how.number()),
+        &|| fold(how),
+        &numbers,
+        &[&partial, &folded],
+        rows * count,
+    );
+    Pending {
+        buffer: folded,
+        rows,
+        count,
     }
 }
 

@@ -10,9 +10,10 @@ use tomolith_core::check::noise;
 use tomolith_core::dose::Work;
 use tomolith_core::field::{
     Bounds, ColumnRun, CostKernel, Direction, Field, HalfRamp, HalfRampKernel, HostField, Latest,
-    Pairs, PatternCost,
+    Pairs, PatternCost, Stretch,
 };
 use tomolith_gpu::{Gpu, GpuField, model_on};
+use tomolith_objective::penalty::smoothness::{Params, smoothness};
 
 /// A field of the card with a few pieces: three frames of different length each.
 fn like(gpu: &Gpu) -> GpuField {
@@ -126,6 +127,19 @@ fn every_operation_gives_the_numbers_of_the_host() {
     check("write", &|y| y.write(17_000, &[1.0; 20_000]), &|y| {
         y.write(17_000, &[1.0; 20_000])
     });
+    check("clear", &|y| y.clear(9_000..41_000), &|y| {
+        y.clear(9_000..41_000)
+    });
+    // Through the ends of pieces on either side
+    let stretches = [(0, 20_000, 19_000), (19_000, 3, 7), (25_000, 1_000, 22_000)];
+    let stretches = stretches.map(|(to, from, count)| Stretch { to, from, count });
+    for adds in [true, false] {
+        check(
+            "stretches",
+            &|y| y.set_stretches(adds, -0.6, &b.host, &stretches),
+            &|y| y.set_stretches(adds, -0.6, &b.card, &stretches),
+        );
+    }
     let mut squares = Both::of(b.host.as_slice(), &like);
     squares.host.multiply(&b.host);
     squares.card.multiply(&b.card);
@@ -331,8 +345,20 @@ fn the_half_ramp_and_penalties_are_those_of_the_host() {
     <HostField as Field>::HalfRamp::new(ramp.clone(), &x.host).apply(&x.host, &mut out.host);
     <GpuField as Field>::HalfRamp::new(ramp, &x.card).apply(&x.card, &mut out.card);
     out.assert_near(2e-6, "half ramp");
-    for exponent in [0.5, 1.0, 1.5, 2.0, 3.0] {
-        let cost = Arc::new(PatternCost::Power { exponent });
+    let powers = [0.5, 1.0, 1.5, 2.0, 3.0].map(|exponent| PatternCost::Power { exponent });
+    // Squares; edges of the size of the noise; and so small that their ratio overflows in f32
+    let differences = [None, Some(0.3), Some(1e-30)].map(|edge| {
+        let [rows, columns, angles] = [1.0, 0.7, 0.4];
+        let params = Params {
+            rows,
+            columns,
+            angles,
+            edge,
+        };
+        smoothness(&params, model.patterns()).unwrap()
+    });
+    for cost in powers.into_iter().chain(differences) {
+        let cost = Arc::new(cost);
         let host = <HostField as Field>::Costs::new(&cost, &x.host);
         let card = <GpuField as Field>::Costs::new(&cost, &x.card);
         let n = like.len() as f64;

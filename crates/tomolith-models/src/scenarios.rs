@@ -14,11 +14,12 @@
 //! of a dose for each, one after the other.
 
 use crate::HostModel;
-use crate::several::Several;
 pub use crate::several::SharedModel;
-use tomolith_core::dose::DoseLayout;
+use crate::several::{self, Several};
+use std::sync::Arc;
+use tomolith_core::dose::form::Joint;
+use tomolith_core::dose::{DoseLayout, Space};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::scratch::Scratch;
 
 /// The first model and how the dose may differ from it. Each model has one output, on the same voxels, and lights of the same pixels.
 ///
@@ -55,18 +56,21 @@ pub fn joined(first: SharedModel, others: Vec<HostModel>) -> Result<Several> {
             .map(|k| f32::from(u8::from(k == row)))
             .collect()
     };
-    Ok(Several {
-        scratch: Scratch::default(),
+    let patterns = models[0].patterns().to_vec();
+    let shown = |model: &SharedModel| several::shown(&patterns, model.patterns());
+    let joint = Joint {
         matrix: (0..models.len()).map(one).collect(),
-        lit: vec![0..models[0].patterns().len(); models.len()],
-        patterns: models[0].patterns().to_vec(),
-        models,
+        lit: vec![0..patterns.len(); models.len()],
+        shown: models.iter().map(shown).collect(),
+        pixels: models
+            .iter()
+            .map(|model| model.facts().len(Space::Patterns))
+            .collect(),
         outputs,
-        describe: |all| {
-            let models = all.models.len();
-            format!("{models} scenarios, the job: {}", all.models[0].describe())
-        },
-    })
+        describe: |scenarios, models| format!("{scenarios} scenarios, the job: {}", models[0]),
+        patterns,
+    };
+    Several::new(models, Arc::new(joint))
 }
 
 #[cfg(test)]

@@ -1,49 +1,98 @@
 //! Several models that act as one: a sum over lights ([`spectral`](super::spectral)), or the same light under several scenarios
-//! ([`scenarios`](super::scenarios)).
+//! ([`scenarios`](super::scenarios)), wherever their fields live.
 //!
 //! Each model has its patterns, which are those of some of the joint lights, and its dose q. The joint doses are r = M q, with a row of M per
 //! output and a column per model.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Work, ZCoupling, elements_of, frames_of};
+use crate::{DoseModel, PatternLayout, Work, ZCoupling, elements_of, frames_of};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::form::{Form, Joint};
 use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::scratch::Scratch;
-use tomolith_core::field::{BLOCK, Field, HostField};
-use tomolith_core::parallel::InParallel;
+use tomolith_core::field::{Field, HostField, Stretch};
 
 /// A model that others share.
-pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
+pub type SharedModel<F = HostField> = Arc<dyn DoseModel<Field = F>>;
 
 /// Models that act as one; see the [module](self).
-pub struct Several {
-    pub(crate) models: Vec<SharedModel>,
-    pub(crate) patterns: Vec<PatternLayout>,
-    pub(crate) outputs: Vec<DoseLayout>,
-    /// M, a row per output.
-    pub(crate) matrix: Vec<Vec<f32>>,
-    /// Which of the joint lights each model has.
-    pub(crate) lit: Vec<Range<usize>>,
-    pub(crate) describe: fn(&Several) -> String,
+pub struct Several<F = HostField> {
+    pub(crate) models: Vec<SharedModel<F>>,
+    pub(crate) joint: Arc<Joint>,
+    /// A field without elements, where theirs live.
+    like: F,
     /// The dose of a model.
-    pub(crate) scratch: Scratch,
+    scratch: Scratch<F>,
 }
 
-/// sum += m·v
-fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
-    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
-    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
+/// Pixels that joint lights and those of a model both have, as few stretches.
+pub(crate) fn shown(joint: &[PatternLayout], single: &[PatternLayout]) -> Vec<Stretch> {
+    let runs = |layouts: &'_ [PatternLayout]| -> Vec<PixelRun> {
+        layouts
+            .iter()
+            .flat_map(|l| l.runs.iter().copied())
+            .collect()
+    };
+    let mut parts: Vec<Stretch> = Vec::new();
+    for (joint, single) in runs(joint).iter().zip(&runs(single)) {
+        let begin = joint.bottom.max(single.bottom);
+        let end = (joint.bottom + joint.count).min(single.bottom + single.count);
+        if begin >= end {
+            continue;
+        }
+        let place = |run: &PixelRun| run.offset + (begin - run.bottom) as usize;
+        let next = Stretch {
+            to: place(single),
+            from: place(joint),
+            count: (end - begin) as usize,
+        };
+        match parts.last_mut() {
+            Some(last)
+                if [last.to + last.count, last.from + last.count] == [next.to, next.from] =>
+            {
+                last.count += next.count;
+            }
+            _ => parts.push(next),
+        }
+    }
+    parts
 }
 
-/// sum ← 0 + m·v
-fn set_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
-    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
-    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s = 0.0 + m * v));
+/// The other way.
+fn back(part: &Stretch) -> Stretch {
+    Stretch {
+        to: part.from,
+        from: part.to,
+        count: part.count,
+    }
 }
 
-impl Several {
+impl<F: Field> Several<F> {
+    /// Models, one at least, that act as one in this way.
+    ///
+    /// # Errors
+    /// Not enough memory.
+    pub fn new(models: Vec<SharedModel<F>>, joint: Arc<Joint>) -> Result<Self> {
+        let q = models[0].new_dose()?;
+        let nothing = Facts {
+            patterns: &[],
+            outputs: &[],
+            ..models[0].facts()
+        };
+        let like = q.zeros_of(&nothing, Space::Patterns);
+        let scratch = Scratch::default();
+        scratch.give_back(q);
+        Ok(Several {
+            models,
+            joint,
+            like,
+            scratch,
+        })
+    }
+
     /// The part of a run that one of the models has.
     fn part(&self, work: &Work) -> Work {
         work.part(1.0 / self.models.len() as f64)
@@ -51,165 +100,136 @@ impl Several {
 
     /// The models that show some of the joint frames, and which of their own frames these are.
     fn parts(&self, frames: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let patterns = &self.joint.patterns;
         let of_model = |(k, lit): (usize, &Range<usize>)| {
-            let first = frames_of(&self.patterns[..lit.start]);
-            let end = first + frames_of(&self.patterns[lit.clone()]);
+            let first = frames_of(&patterns[..lit.start]);
+            let end = first + frames_of(&patterns[lit.clone()]);
             let local =
                 frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
             (!local.is_empty()).then_some((k, local))
         };
-        self.lit.iter().enumerate().filter_map(of_model)
+        self.joint.lit.iter().enumerate().filter_map(of_model)
     }
 
-    /// Runs of pixels that a model has and the joint patterns have, in the joint field and in that of the model.
-    fn each_common(&self, k: usize, mut with: impl FnMut(Range<usize>, Range<usize>)) {
-        let joint = self.patterns[self.lit[k].clone()].iter();
-        let layouts = joint.zip(self.models[k].patterns());
-        for (joint, single) in
-            layouts.flat_map(|(joint, single)| joint.runs.iter().zip(&single.runs))
-        {
-            let begin = joint.bottom.max(single.bottom);
-            let end = (joint.bottom + joint.count).min(single.bottom + single.count);
-            if begin < end {
-                let pixels_of = |run: &PixelRun| {
-                    let first = run.offset + (begin - run.bottom) as usize;
-                    first..first + (end - begin) as usize
-                };
-                with(pixels_of(joint), pixels_of(single));
-            }
+    /// The patterns of a model: the joint ones where it has the same, and where they do not matter, which is when they are empty.
+    pub(crate) fn shown<'x>(&self, k: usize, x: &'x F) -> Result<Cow<'x, F>> {
+        let (parts, pixels) = (&self.joint.shown[k], self.joint.pixels[k]);
+        let is_all = |part: &Stretch| [part.count, pixels] == [x.len(); 2];
+        if x.is_empty() || (parts.len() == 1 && is_all(&parts[0])) {
+            return Ok(Cow::Borrowed(x));
         }
-    }
-
-    /// The patterns of a model.
-    pub(crate) fn shown(&self, k: usize, x: &HostField) -> Result<HostField> {
         let mut patterns = self.models[k].new_patterns()?;
-        self.each_common(k, |from, to| {
-            patterns.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
-        });
-        Ok(patterns)
+        patterns.set_stretches(false, 1.0, x, parts);
+        Ok(Cow::Owned(patterns))
     }
 
     /// grad += the gradient of a model: the transpose of [`shown`](Self::shown).
-    fn gather(&self, k: usize, back: &HostField, grad: &mut HostField) {
-        self.each_common(k, |to, from| {
-            let pixels = grad.as_mut_slice()[to].iter_mut();
-            let back = &back.as_slice()[from];
-            pixels.zip(back).for_each(|(grad, back)| *grad += back);
-        });
+    fn gather(&self, k: usize, found: &F, grad: &mut F) {
+        let parts: Vec<Stretch> = self.joint.shown[k].iter().map(back).collect();
+        grad.set_stretches(true, 1.0, found, &parts);
+    }
+
+    /// Where an output lies in the joint doses, and the dose of a model.
+    fn place(&self, output: usize) -> Stretch {
+        let range = self.joint.outputs[output].range();
+        Stretch {
+            to: range.start,
+            from: 0,
+            count: range.len(),
+        }
     }
 
     /// Every output that a model drives, and what its dose counts there.
-    fn driven(&self, k: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
-        let rows = self.outputs.iter().zip(&self.matrix);
-        let all = rows.map(move |(layout, row)| (layout.range(), row[k]));
+    fn driven(&self, k: usize) -> impl Iterator<Item = (usize, f32)> {
+        let rows = self.joint.matrix.iter().enumerate();
+        let all = rows.map(move |(output, row)| (output, row[k]));
         all.filter(|(_, m)| *m != 0.0)
     }
 
     /// doses += M_·k q
-    fn add(&self, k: usize, q: &HostField, doses: &mut HostField) {
-        for (range, m) in self.driven(k) {
-            add_scaled(&mut doses.as_mut_slice()[range], m, q.as_slice());
+    fn add(&self, k: usize, q: &F, doses: &mut F) {
+        for (output, m) in self.driven(k) {
+            doses.set_stretches(true, m, q, &[self.place(output)]);
         }
     }
 
-    /// doses ← M q of all models, each of which writes its q.
-    fn join(
-        &self,
-        doses: &mut HostField,
-        mut write: impl FnMut(usize, &mut HostField) -> Result<()>,
-    ) -> Result<()> {
-        let mut is_new = vec![true; self.outputs.len()];
-        self.scratch.lend(self.dose_len(), |q| {
-            for k in 0..self.models.len() {
-                write(k, q)?;
-                for ((layout, row), is_new) in
-                    self.outputs.iter().zip(&self.matrix).zip(&mut is_new)
-                {
-                    let output = &mut doses.as_mut_slice()[layout.range()];
-                    match (
-                        row[k] != 0.0,
-                        std::mem::replace(is_new, *is_new && row[k] == 0.0),
-                    ) {
-                        (true, true) => set_scaled(output, row[k], q.as_slice()),
-                        (true, false) => add_scaled(output, row[k], q.as_slice()),
-                        (false, _) => {}
-                    }
-                }
-            }
-            Ok(())
-        })?;
-        let undriven = self
-            .outputs
-            .iter()
-            .zip(is_new)
-            .filter(|(_, is_new)| *is_new);
-        undriven.for_each(|(layout, _)| doses.as_mut_slice()[layout.range()].fill(0.0));
-        Ok(())
-    }
-
-    /// Elements of the dose of a model.
-    fn dose_len(&self) -> usize {
-        self.outputs[0].range().len()
+    /// What comes of a field for the dose of a model.
+    fn lend<R>(&self, with: impl FnOnce(&mut F) -> Result<R>) -> Result<R> {
+        let len = self.joint.outputs[0].range().len();
+        let mut q = match self.scratch.take(len) {
+            Some(q) => q,
+            None => self.models[0].new_dose()?,
+        };
+        let found = with(&mut q);
+        self.scratch.give_back(q);
+        found
     }
 
     /// c ← M_·kᵀ cotangent
-    fn split(&self, k: usize, cotangent: &HostField, c: &mut HostField) {
+    fn split(&self, k: usize, cotangent: &F, c: &mut F) {
         let mut driven = self.driven(k);
         match driven.next() {
-            Some((range, m)) => set_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]),
+            Some((output, m)) => c.set_stretches(false, m, cotangent, &[back(&self.place(output))]),
             None => c.fill(0.0),
         }
-        for (range, m) in driven {
-            add_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]);
+        for (output, m) in driven {
+            c.set_stretches(true, m, cotangent, &[back(&self.place(output))]);
         }
     }
 }
 
-impl Renewal<HostField> for Several {
-    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
+impl<F: Field> Renewal<F> for Several<F> {
+    fn renew(&self, iteration: usize, x: &F, work: &Work) -> Result<bool> {
         let mut any = false;
         for (k, model) in self.models.iter().enumerate() {
             if let Some(model) = model.renewal() {
-                any |= model.renew(iteration, &self.shown(k, x)?, work)?;
+                any |= model.renew(iteration, &*self.shown(k, x)?, work)?;
             }
         }
         Ok(any)
     }
 }
 
-impl DoseModel for Several {
-    type Field = HostField;
+impl<F: Field> DoseModel for Several<F> {
+    type Field = F;
 
     fn facts(&self) -> Facts<'_> {
         Facts {
-            patterns: &self.patterns,
-            outputs: &self.outputs,
+            patterns: &self.joint.patterns,
+            outputs: &self.joint.outputs,
             z_coupling: ZCoupling::widest(self.models.iter().map(|model| model.z_coupling())),
             is_linear: self.models.iter().all(|model| model.is_linear()),
         }
     }
 
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(self.facts().host_field(space))
+    fn new_field(&self, space: Space) -> Result<F> {
+        let field = self.like.zeros_of(&self.facts(), space);
+        field.check().map(|()| field)
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
-        self.join(dose, |k, q| {
-            self.models[k].dose(&self.shown(k, x)?, q, &self.part(work))
+    fn dose(&self, x: &F, dose: &mut F, work: &Work) -> Result<()> {
+        let mut is_new = vec![true; self.joint.outputs.len()];
+        self.lend(|q| {
+            for (k, model) in self.models.iter().enumerate() {
+                model.dose(&*self.shown(k, x)?, q, &self.part(work))?;
+                for (output, m) in self.driven(k) {
+                    let adds = !std::mem::take(&mut is_new[output]);
+                    dose.set_stretches(adds, m, q, &[self.place(output)]);
+                }
+            }
+            // What no light drives
+            let undriven = self.joint.outputs.iter().zip(&is_new);
+            let undriven = undriven.filter(|(_, is_new)| **is_new);
+            undriven.for_each(|(output, _)| dose.clear(output.range()));
+            Ok(())
         })
     }
 
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        work: &Work,
-    ) -> Result<()> {
-        self.scratch.lend(self.dose_len(), |q| {
+    fn dose_of(&self, frames: Range<usize>, x: &F, dose: &mut F, work: &Work) -> Result<()> {
+        self.lend(|q| {
             for (k, local) in self.parts(&frames) {
                 q.fill(0.0);
-                self.models[k].dose_of(local, &self.shown(k, x)?, q, &self.part(work))?;
+                self.models[k].dose_of(local, &*self.shown(k, x)?, q, &self.part(work))?;
                 self.add(k, q, dose);
             }
             Ok(())
@@ -219,29 +239,27 @@ impl DoseModel for Several {
     fn pullback_of(
         &self,
         frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
+        x: &F,
+        cotangent: &F,
+        grad: &mut F,
         work: &Work,
     ) -> Result<()> {
-        for (range, _) in elements_of(&self.patterns, &frames) {
-            grad.as_mut_slice()[range].fill(0.0);
-        }
-        self.scratch.lend(self.dose_len(), |c| {
+        elements_of(&self.joint.patterns, &frames).for_each(|(range, _)| grad.clear(range));
+        self.lend(|c| {
             for (k, local) in self.parts(&frames) {
                 self.split(k, cotangent, c);
                 let (model, part) = (&self.models[k], self.part(work));
-                let mut back = model.new_patterns()?;
-                model.pullback_of(local, &self.shown(k, x)?, c, &mut back, &part)?;
-                self.gather(k, &back, grad);
+                let mut found = model.new_patterns()?;
+                model.pullback_of(local, &*self.shown(k, x)?, c, &mut found, &part)?;
+                self.gather(k, &found, grad);
             }
             Ok(())
         })
     }
 
     /// The joint dose, power by power; None where one of the models has none.
-    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
-        let mut all: Vec<HostField> = Vec::new();
+    fn along(&self, x: &F, d: &F, work: &Work) -> Result<Option<Vec<F>>> {
+        let mut all: Vec<F> = Vec::new();
         for (k, model) in self.models.iter().enumerate() {
             let [x, d] = [self.shown(k, x)?, self.shown(k, d)?];
             let Some(powers) = model.along(&x, &d, work)? else {
@@ -257,7 +275,7 @@ impl DoseModel for Several {
         Ok(Some(all))
     }
 
-    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+    fn renewal(&self) -> Option<&dyn Renewal<F>> {
         let renewed = self.models.iter().any(|model| model.renewal().is_some());
         renewed.then_some(self as _)
     }
@@ -266,14 +284,23 @@ impl DoseModel for Several {
         self.models.iter().map(|model| model.updates()).sum()
     }
 
-    fn of_light(&self, i: usize) -> Option<SharedModel> {
-        let mut lit = self.models.iter().zip(&self.lit);
-        let is_alone = self.lit.iter().filter(|lit| lit.contains(&i)).count() == 1;
-        let model = lit.find(|(_, lit)| is_alone && **lit == (i..i + 1));
+    fn of_light(&self, i: usize) -> Option<SharedModel<F>> {
+        let lit = &self.joint.lit;
+        let is_alone = lit.iter().filter(|lit| lit.contains(&i)).count() == 1;
+        let mut models = self.models.iter().zip(lit);
+        let model = models.find(|(_, lit)| is_alone && **lit == (i..i + 1));
         model.map(|(model, _)| model.clone())
     }
 
+    /// None where one of the models has none.
+    fn form(&self) -> Option<Form> {
+        let forms = self.models.iter().map(|model| model.form());
+        let forms: Option<Vec<Form>> = forms.collect();
+        Some(Form::Joint(forms?, self.joint.clone()))
+    }
+
     fn describe(&self) -> String {
-        (self.describe)(self)
+        let models: Vec<String> = self.models.iter().map(|model| model.describe()).collect();
+        (self.joint.describe)(self.joint.outputs.len(), &models)
     }
 }

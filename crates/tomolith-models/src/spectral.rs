@@ -24,10 +24,12 @@
 //! One call of every light's model, and one pass over its dose per species that it drives. Memory: patterns and dose of one light at a
 //! time.
 
-use crate::several::{Several, SharedModel};
+use crate::several::{self, Several, SharedModel};
 use crate::{DoseLayout, HostModel, PatternLayout};
+use std::sync::Arc;
+use tomolith_core::dose::Space;
+use tomolith_core::dose::form::Joint;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::scratch::Scratch;
 
 /// The doses of `species` (name, row of M) by models of one light each.
 ///
@@ -83,23 +85,26 @@ pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<S
     }
     let rows = species.iter();
     let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
-    Ok(Several {
-        scratch: Scratch::default(),
+    let shown = |(light, joint): (&HostModel, &PatternLayout)| {
+        several::shown(std::slice::from_ref(joint), light.patterns())
+    };
+    let joint = Joint {
         matrix: matrix.collect(),
         lit: (0..lights.len()).map(|light| light..light + 1).collect(),
-        models: lights.into_iter().map(SharedModel::from).collect(),
+        shown: lights.iter().zip(&patterns).map(shown).collect(),
+        pixels: lights
+            .iter()
+            .map(|light| light.facts().len(Space::Patterns))
+            .collect(),
         patterns,
         outputs,
-        describe: |all| {
-            let lights: Vec<String> = all.models.iter().map(|light| light.describe()).collect();
-            format!(
-                "{} species by {} lights ({})",
-                all.outputs.len(),
-                lights.len(),
-                lights.join("; ")
-            )
+        describe: |species, lights| {
+            let (count, lights) = (lights.len(), lights.join("; "));
+            format!("{species} species by {count} lights ({lights})")
         },
-    })
+    };
+    let models = lights.into_iter().map(SharedModel::from);
+    Several::new(models.collect(), Arc::new(joint))
 }
 
 #[cfg(test)]
@@ -154,7 +159,7 @@ mod tests {
                 q
             })
             .collect();
-        for (layout, row) in model.outputs().iter().zip(&model.matrix) {
+        for (layout, row) in model.outputs().iter().zip(&model.joint.matrix) {
             for (i, &found) in dose.as_slice()[layout.range()].iter().enumerate() {
                 let expected = row[0] * alone[0].as_slice()[i] + row[1] * alone[1].as_slice()[i];
                 assert!((found - expected).abs() <= 1e-5, "{found} {expected}");

@@ -15,11 +15,10 @@
 use super::{FoundWindow, Objective};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::DoseLayout;
+use tomolith_core::dose::{DoseLayout, Facts, Space, ZCoupling};
 use tomolith_core::error::Result;
 use tomolith_core::field::scratch::Scratch;
-use tomolith_core::field::{BLOCK, HostField};
-use tomolith_core::parallel::InParallel;
+use tomolith_core::field::{Field, HostField, Stretch};
 use tomolith_core::response::Response;
 
 /// How the losses of blocks become one.
@@ -64,79 +63,122 @@ impl Join {
 }
 
 /// Objectives of the blocks of a dose field.
-pub struct PerBlock {
-    parts: Vec<(Range<usize>, Box<dyn Objective<HostField>>)>,
+pub struct PerBlock<F = HostField> {
+    parts: Vec<Part<F>>,
     join: Join,
     /// Copies of blocks, and slopes.
-    scratch: Scratch,
+    scratch: Scratch<F>,
 }
 
-impl PerBlock {
+struct Part<F> {
+    range: Range<usize>,
+    /// Of the block alone.
+    layout: DoseLayout,
+    objective: Box<dyn Objective<F>>,
+}
+
+impl<F> Part<F> {
+    /// From a field of all blocks to one of this block.
+    fn taken(&self) -> Stretch {
+        Stretch {
+            to: 0,
+            from: self.range.start,
+            count: self.range.len(),
+        }
+    }
+
+    /// The way back.
+    fn put(&self) -> Stretch {
+        Stretch {
+            to: self.range.start,
+            from: 0,
+            count: self.range.len(),
+        }
+    }
+}
+
+impl<F: Field> PerBlock<F> {
     /// One objective for each of these blocks, built on a layout that begins at 0.
     #[must_use]
-    pub fn new(parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)>, join: Join) -> Self {
-        let parts = parts.into_iter();
+    pub fn new(parts: Vec<(&DoseLayout, Box<dyn Objective<F>>)>, join: Join) -> Self {
+        let part = |(layout, objective): (&DoseLayout, _)| Part {
+            range: layout.range(),
+            layout: DoseLayout {
+                offset: 0,
+                ..layout.clone()
+            },
+            objective,
+        };
         PerBlock {
-            parts: parts.map(|(layout, o)| (layout.range(), o)).collect(),
+            parts: parts.into_iter().map(part).collect(),
             join,
             scratch: Scratch::default(),
         }
     }
 
+    /// What comes of a field of the size of a block, with any content, which lives where `all` does.
+    fn lend<R>(&self, part: &Part<F>, all: &F, with: impl FnOnce(&mut F) -> R) -> R {
+        let block = self.scratch.take(part.range.len());
+        let mut block = block.unwrap_or_else(|| {
+            let facts = Facts {
+                patterns: &[],
+                outputs: std::slice::from_ref(&part.layout),
+                z_coupling: ZCoupling::None,
+                is_linear: true,
+            };
+            all.zeros_of(&facts, Space::Dose)
+        });
+        let found = with(&mut block);
+        self.scratch.give_back(block);
+        found
+    }
+
     /// What comes of a block of a field.
-    fn of_block<R>(
-        &self,
-        field: &HostField,
-        range: &Range<usize>,
-        with: impl FnOnce(&HostField) -> R,
-    ) -> R {
-        self.scratch.lend(range.len(), |block| {
-            copy(block.as_mut_slice(), &field.as_slice()[range.clone()]);
+    fn of_block<R>(&self, field: &F, part: &Part<F>, with: impl FnOnce(&F) -> R) -> R {
+        self.lend(part, field, |block| {
+            block.set_stretches(false, 1.0, field, &[part.taken()]);
             with(block)
         })
     }
 }
 
-fn copy(to: &mut [f32], from: &[f32]) {
-    let blocks = to.chunks_mut(BLOCK).zip(from.chunks(BLOCK));
-    blocks.par_each(|(to, from)| to.copy_from_slice(from));
-}
-
-impl Objective<HostField> for PerBlock {
-    fn value(&self, dose: &HostField) -> f64 {
-        let value = |(range, part): &(_, Box<dyn Objective<HostField>>)| {
-            self.of_block(dose, range, |dose| part.value(dose))
-        };
+impl<F: Field> Objective<F> for PerBlock<F> {
+    fn value(&self, dose: &F) -> f64 {
+        let value = |part: &Part<F>| self.of_block(dose, part, |dose| part.objective.value(dose));
         let losses: Vec<f64> = self.parts.iter().map(value).collect();
         self.join.value_and_slopes(&losses).0
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn value_and_gradient(&self, dose: &HostField, grad: &mut HostField) -> f64 {
+    fn value_and_gradient(&self, dose: &F, grad: &mut F) -> f64 {
         let mut losses = Vec::with_capacity(self.parts.len());
-        for (range, part) in &self.parts {
-            losses.push(self.of_block(dose, range, |dose| {
-                self.scratch.lend(range.len(), |slope| {
-                    let loss = part.value_and_gradient(dose, slope);
-                    copy(&mut grad.as_mut_slice()[range.clone()], slope.as_slice());
-                    loss
-                })
+        for part in &self.parts {
+            losses.push(self.lend(part, dose, |slope| {
+                let loss = self.of_block(dose, part, |dose| {
+                    part.objective.value_and_gradient(dose, slope)
+                });
+                grad.set_stretches(false, 1.0, slope, &[part.put()]);
+                loss
             }));
         }
         let (loss, slopes) = self.join.value_and_slopes(&losses);
-        for ((range, _), slope) in self.parts.iter().zip(slopes) {
+        for (part, slope) in self.parts.iter().zip(slopes) {
             if slope != 1.0 {
-                let values = grad.as_mut_slice()[range.clone()].iter_mut();
-                values.for_each(|g| *g *= slope as f32);
+                self.lend(part, dose, |block| {
+                    block.set_stretches(false, slope as f32, grad, &[part.taken()]);
+                    grad.set_stretches(false, 1.0, block, &[part.put()]);
+                });
             }
         }
         loss
     }
 
-    fn slope_along(&self, dose: &HostField, step: &HostField, alpha: f32) -> (f64, f64) {
-        let along = |(range, part): &(Range<usize>, Box<dyn Objective<HostField>>)| {
-            self.of_block(dose, range, |dose| {
-                self.of_block(step, range, |step| part.slope_along(dose, step, alpha))
+    fn slope_along(&self, dose: &F, step: &F, alpha: f32) -> (f64, f64) {
+        let along = |part: &Part<F>| {
+            self.of_block(dose, part, |dose| {
+                self.of_block(step, part, |step| {
+                    part.objective.slope_along(dose, step, alpha)
+                })
             })
         };
         let (losses, rises): (Vec<f64>, Vec<f64>) = self.parts.iter().map(along).unzip();
@@ -146,18 +188,18 @@ impl Objective<HostField> for PerBlock {
     }
 
     fn is_convex(&self) -> bool {
-        self.parts.iter().all(|(_, part)| part.is_convex())
+        self.parts.iter().all(|part| part.objective.is_convex())
     }
 
     fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {
         let mut parts = self.parts.iter_mut();
-        parts.try_for_each(|(_, part)| part.set_response(response))
+        parts.try_for_each(|part| part.objective.set_response(response))
     }
 
     /// That of the first block: the first species, or the job as it is.
-    fn window(&self, dose: &HostField) -> Option<FoundWindow> {
-        let (range, part) = self.parts.first()?;
-        self.of_block(dose, range, |dose| part.window(dose))
+    fn window(&self, dose: &F) -> Option<FoundWindow> {
+        let part = self.parts.first()?;
+        self.of_block(dose, part, |dose| part.objective.window(dose))
     }
 }
 

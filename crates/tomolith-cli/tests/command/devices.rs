@@ -96,6 +96,26 @@ fn tilted_cones_and_waves_print_on_a_card_what_they_print_on_the_processor() {
 }
 
 #[test]
+fn species_scenarios_and_differences_of_pixels_are_optimized_on_a_card() {
+    let smooth = "penalties=[{smoothness={angles=0.5},weight=1e-3}]";
+    let five = format!("--set stop.iterations=5 --set {smooth}");
+    for model in [
+        [
+            "20-two-colors",
+            "2 species by 2 lights, each alone: parallel (on ",
+        ],
+        ["25-robust", "parallel (on "],
+    ] {
+        let bench = Bench::with(&[]);
+        prints_alike(&bench, model, &five, "iou", 1e-3);
+        if bench.path("card").exists() {
+            let text = bench.report("card").to_string();
+            assert!(!text.contains("runs on the processor"), "{text}");
+        }
+    }
+}
+
+#[test]
 fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
     let model = ["13-scattering", "successive_orders (parallel (on "];
     // Cells as large as they may be: software takes long for small ones

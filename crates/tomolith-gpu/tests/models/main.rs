@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod joint;
 mod paths;
 mod planar;
 #[path = "../common/portable.rs"]

@@ -132,12 +132,14 @@ pub(crate) fn assert_too_large(gpu: &Gpu, form: &Form) {
     );
 }
 
-/// Noise on the voxels of a dose, 0 in what fills up its rows.
-pub(crate) fn noise_of(layout: &DoseLayout, seed: u64) -> HostField {
-    let mut values = noise(seed, layout.len());
-    let nz = layout.grid.shape[0];
-    let rows = values[..layout.voxels()].chunks_mut(layout.row);
-    rows.for_each(|row| row[nz..].fill(0.0));
+/// Noise on the voxels of doses, 0 in what fills up their rows.
+pub(crate) fn noise_of(outputs: &[DoseLayout], seed: u64) -> HostField {
+    let mut values = noise(seed, outputs.iter().map(DoseLayout::len).sum());
+    for layout in outputs {
+        let nz = layout.grid.shape[0];
+        let rows = values[layout.offset..][..layout.voxels()].chunks_mut(layout.row);
+        rows.for_each(|row| row[nz..].fill(0.0));
+    }
     HostField::from_slice(&values)
 }
 
@@ -202,7 +204,7 @@ pub(crate) fn assert_doses_and_pullbacks(
         dose
     });
     alike(found.as_slice(), expected.as_slice());
-    let cotangent = noise_of(&host.outputs()[0], 2);
+    let cotangent = noise_of(host.outputs(), 2);
     let [expected, found] = [host, card].map(|model| pullback(model, x, &cotangent));
     alike(found.as_slice(), expected.as_slice());
 }
@@ -217,7 +219,7 @@ pub(crate) fn assert_one_matrix(
 ) -> [GpuField; 2] {
     let x = check::noisy_patterns(model, 3);
     let mut c = model.new_dose().unwrap();
-    c.copy_from_host(noise_of(&model.outputs()[0], 4).as_slice());
+    c.copy_from_host(noise_of(model.outputs(), 4).as_slice());
     let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
     let (left, right) = (dose.dot(&c), grad.dot(&x));
     let size = dose.norm() * c.norm();

@@ -202,7 +202,7 @@ fn the_pullback_is_the_derivative_and_the_line_is_exact() {
         let Some(gpu) = gpu(case.binding) else { return };
         let model = case.on(&gpu);
         let [x, d] = [1, 2].map(|seed| check::noisy_patterns(&*model, seed));
-        let cotangent = noise_of(&model.outputs()[0], 3);
+        let cotangent = noise_of(model.outputs(), 3);
         let at = |step: f32| {
             let mut place = x.clone();
             place.axpy(step, &d);
@@ -238,7 +238,7 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
             .unwrap()
             .unwrap();
         let x = check::noisy_patterns(&*host, 1);
-        let cotangent = noise_of(&host.outputs()[0], 2);
+        let cotangent = noise_of(host.outputs(), 2);
         let alike = |found: &[f32], expected: &[f32]| assert_near(found, expected, 1e-5, case.name);
         assert_doses_and_pullbacks([&*host, &*card], &x, 1..3, alike);
         let found = pullback(&*card, &x, &cotangent);

@@ -16,7 +16,7 @@ use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::card::Card;
 use crate::job::resolve::free_parameters::FoundResponse;
-use crate::job::resolve::goal::Goal;
+use crate::job::resolve::goal::{Goal, Objectives};
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
@@ -233,29 +233,38 @@ impl<'a> Stage<'a> {
 
     /// The loss of all species, with the response that was found; with thresholds that lie so many steps further apart than those of the job.
     pub(crate) fn objective(&self, wider: usize) -> Result<Sum<HostField>> {
-        self.responding(self.objective_of_job(wider)?)
+        self.objective_on(wider, &|goal| Ok(goal.on_host().clone()))
     }
 
-    /// The same loss with the response that was found.
-    fn responding<F: Field>(&self, mut sum: Sum<F>) -> Result<Sum<F>> {
+    /// The same for fields of any kind, for which `objectives` reads a goal's.
+    fn objective_on<F: Field>(
+        &self,
+        wider: usize,
+        objectives: &dyn Fn(&Goal) -> Result<Objectives<F>>,
+    ) -> Result<Sum<F>> {
+        let mut sum = self.objective_of_job(wider, objectives)?;
         if let Some(found) = &self.found {
             sum.set_response(&found.response)?;
         }
         Ok(sum)
     }
 
-    fn objective_of_job(&self, wider: usize) -> Result<Sum<HostField>> {
+    fn objective_of_job<F: Field>(
+        &self,
+        wider: usize,
+        objectives: &dyn Fn(&Goal) -> Result<Objectives<F>>,
+    ) -> Result<Sum<F>> {
         let (job, outputs) = (self.job, self.model.outputs());
         let objective_of = |species: &Species, layout: &DoseLayout, voxels: &Voxels| {
             let goal = goal_of(species, wider);
-            job.objective(species, goal.on_host(), layout, voxels)
+            job.objective(species, &objectives(&goal)?, layout, voxels)
         };
         if let [output] = outputs {
             return objective_of(job.first(), output, &self.voxels[0]);
         }
         // Scenarios, which one species has, ask the same of every output
         let asked = job.species.iter().zip(self.voxels.iter()).cycle();
-        let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
+        let mut parts: Vec<(&DoseLayout, Box<dyn Objective<F>>)> = Vec::new();
         for ((species, voxels), layout) in asked.zip(outputs) {
             let alone = DoseLayout {
                 offset: 0,
@@ -376,13 +385,10 @@ impl<'a> Stage<'a> {
         let (job, wider) = (self.job, around.wider);
         #[cfg(feature = "gpu")]
         if let Some((card, form)) = self.on_card()? {
-            let goal = goal_of(job.first(), wider).on::<GpuField>()?;
             let model = model_on(card.gpu(), &form, around.work)?;
-            let layout = &self.model.outputs()[0];
-            let loss = job.objective(job.first(), &goal, layout, &self.voxels[0])?;
+            let loss = self.objective_on(wider, &|goal| goal.on::<GpuField>())?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let loss = self.responding(loss)?;
             let ran = self.run_on(
                 model.as_ref(),
                 loss,
