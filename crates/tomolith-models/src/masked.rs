@@ -27,8 +27,6 @@ pub struct MaskedModel {
     /// One per pixel, or none at all.
     dark: Vec<bool>,
     factor: f32,
-    /// Whether no card takes its form.
-    is_on_host: bool,
 }
 
 /// Which pixels (elements of a pattern field) bring light to a voxel that is marked; `places` in file order `[z, y, x]`.
@@ -80,15 +78,8 @@ impl MaskedModel {
             spreads: None,
             dark: Vec::new(),
             factor: factor as f32,
-            is_on_host: false,
         };
         masked.and_dark(dark)
-    }
-
-    /// The model without a form, where a card is too small for it.
-    pub(crate) fn on_host(mut self) -> Self {
-        self.is_on_host = true;
-        self
     }
 
     /// The model of pixels whose light is spread over those of the inner one. It has no dark pixels yet.
@@ -262,9 +253,9 @@ impl DoseModel for MaskedModel {
         self.model.along(&x, &d, work)
     }
 
-    /// None of spread light, nor on the host.
+    /// None of spread light.
     fn form(&self) -> Option<Form> {
-        if self.spreads.is_some() || self.is_on_host {
+        if self.spreads.is_some() {
             return None;
         }
         Some(self.model.form()?.masked(&self.dark, self.factor))

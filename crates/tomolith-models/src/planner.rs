@@ -151,11 +151,7 @@ pub fn plan(
         let (model, place) = built(&input, &|input| family.form(input), &|input| {
             family.build(input)
         })?;
-        let model = MaskedModel::new(model, Vec::new(), factor);
-        match place {
-            None => (model, None),
-            left => (model.on_host(), left),
-        }
+        (MaskedModel::new(model, Vec::new(), factor), place)
     };
     let model = model.and_dark(dark.clone());
     let why = why(family.as_ref(), &input.scene, grid);

@@ -227,7 +227,7 @@ pub trait DoseModel: Send + Sync {
     fn of_light(&self, _i: usize) -> Option<Arc<dyn DoseModel<Field = Self::Field>>> {
         None
     }
-    /// The model as data, for a backend that computes it where its fields live; None where there is no such form.
+    /// What it is on a card, as data; None where it is computed by the processor.
     fn form(&self) -> Option<Form> {
         None
     }

@@ -7,14 +7,14 @@ use std::collections::BTreeMap;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::waves::{Transfer, WaveLight};
-use tomolith_core::dose::{Accelerator, Work};
+use tomolith_core::dose::{Accelerator, Quantity, Work};
 use tomolith_core::error::Error;
 use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::HostModel;
 use tomolith_models::masked::MaskedModel;
-use tomolith_models::wave::{self, Entrance, Params, incoherent_cone};
+use tomolith_models::wave::{self, Entrance, Params, WaveModel, incoherent_cone};
 use tomolith_optics::light::Light;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::index_matched::IndexMatched;
@@ -28,6 +28,7 @@ const WIDE: IndexMatched = IndexMatched { radius_mm: 10.0 };
 struct Case {
     name: &'static str,
     host: HostModel,
+    form: Form,
     /// The smallest bindings that it fits.
     binding: u64,
 }
@@ -55,13 +56,21 @@ fn grid() -> VolumeGrid {
     VolumeGrid::centered([7, 9, 10], 0.8e-3).about([0.5e-3, -0.3e-3, 0.15e-3])
 }
 
+impl Case {
+    fn new(name: &'static str, host: impl WaveModel + 'static, binding: u64) -> Self {
+        Case {
+            name,
+            form: host.data().unwrap(),
+            host: Box::new(host),
+            binding,
+        }
+    }
+}
+
 fn waves(name: &'static str, lights: Vec<Light>, params: &Params, grid: VolumeGrid) -> Case {
     let vial = if grid.shape[2] > 40 { WIDE } else { VIAL };
-    Case {
-        name,
-        host: Box::new(wave::model(&vial, lights, params, grid).unwrap()),
-        binding: 1 << 20,
-    }
+    let host = wave::model(&vial, lights, params, grid).unwrap();
+    Case::new(name, host, 1 << 20)
 }
 
 fn cases() -> Vec<Case> {
@@ -134,22 +143,14 @@ fn cases() -> Vec<Case> {
                 VolumeGrid::centered([2, 24, 24], 0.8e-3),
             )
         },
-        Case {
-            name: "cones, two lights",
-            host: Box::new(cones.unwrap()),
-            binding: SMALL,
-        },
+        Case::new("cones, two lights", cones.unwrap(), SMALL),
     ]
 }
 
 impl Case {
-    fn form(&self) -> Form {
-        self.host.form().unwrap()
-    }
-
     /// The model on a card, with fields of the host.
     fn on(&self, gpu: &Gpu) -> HostModel {
-        let model = gpu.model(&self.form(), &Work::new());
+        let model = gpu.model(&self.form, &Work::new());
         let model = model.unwrap_or_else(|e| panic!("{}: {e}", self.name));
         model.unwrap()
     }
@@ -157,7 +158,7 @@ impl Case {
 
 #[test]
 fn cases_have_all_that_a_form_may_have() {
-    let lights = |case: Case| match case.form() {
+    let lights = |case: Case| match &case.form {
         Form::Waves(form) => form.geometry.lights.clone(),
         other => panic!("{}: {other:?}", case.name),
     };
@@ -232,18 +233,20 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
         let Some(gpu) = gpu(case.binding) else { return };
         let pixels = case.host.new_patterns().unwrap().len();
         let dark = some_dark(pixels);
+        // The factor of amplitudes, or of energies
+        let is_amplitude = case.host.quantity() == Quantity::Amplitude;
+        let form = case
+            .form
+            .masked(&dark, if is_amplitude { 0.7 } else { 0.49 });
         let host: HostModel = Box::new(MaskedModel::new(case.host, dark, 0.49));
-        let card = gpu
-            .model(&host.form().unwrap(), &Work::new())
-            .unwrap()
-            .unwrap();
+        let card = gpu.model(&form, &Work::new()).unwrap().unwrap();
         let x = check::noisy_patterns(&*host, 1);
         let cotangent = noise_of(host.outputs(), 2);
         let alike = |found: &[f32], expected: &[f32]| assert_near(found, expected, 1e-5, case.name);
         assert_doses_and_pullbacks([&*host, &*card], &x, 1..3, alike);
         let found = pullback(&*card, &x, &cotangent);
         // The same bits again, of another model of the form with fields of the card
-        let again = model_on(&gpu, &host.form().unwrap(), &Work::new()).unwrap();
+        let again = model_on(&gpu, &form, &Work::new()).unwrap();
         let mut there = again.new_patterns().unwrap();
         there.copy_from_host(x.as_slice());
         let bits = |v: &[f32]| v.iter().map(|v| v.to_bits()).collect::<Vec<u32>>();
@@ -276,7 +279,7 @@ fn kernels_are_those_of_other_interfaces_too() {
 fn a_frame_that_no_binding_holds_is_refused() {
     let case = &cases()[5];
     let Some(gpu) = gpu(SMALL) else { return };
-    let refused = gpu.model(&case.form(), &Work::new()).err().unwrap();
+    let refused = gpu.model(&case.form, &Work::new()).err().unwrap();
     assert!(matches!(refused, Error::Resources { .. }), "{refused}");
     assert!(refused.to_string().contains("--device cpu"), "{refused}");
 }

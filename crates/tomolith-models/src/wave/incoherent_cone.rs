@@ -43,17 +43,16 @@
 //! ```
 
 use super::cones::{Cone, Cones};
-use super::lights::{Lights, affordable_windows, beyond, heights_of, turning};
+use super::lights::{Lights, WaveModel, affordable_windows, beyond, heights_of, turning};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::{
-    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, TimedBy,
+    Capabilities, Cost, DoseLayout, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
+    OpticalScene, TimedBy,
 };
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
 use tomolith_core::error::Result;
-use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::schema_of;
 use tomolith_optics::light::Light;
@@ -154,7 +153,7 @@ impl ModelFamily for Params {
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        Ok(model(input.scene.vial, lights, self, grid)?.form())
+        Ok(model(input.scene.vial, lights, self, grid)?.data())
     }
 }
 
@@ -185,7 +184,7 @@ pub fn model(
     lights: Vec<Light>,
     params: &Params,
     grid: VolumeGrid,
-) -> Result<impl DoseModel<Field = HostField> + use<>> {
+) -> Result<impl WaveModel + use<>> {
     let settings = &params.settings();
     let build = |light: &Light, layout: &DoseLayout, _, first| {
         let cone = params.cone(light);
@@ -198,6 +197,7 @@ pub fn model(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::DoseModel;
     use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::field::Field;
@@ -244,7 +244,8 @@ mod tests {
             );
             *value = (-(u * u + z * z) / (2.0 * 0.15f64.powi(2))).exp() as f32;
         }
-        let dose = |model: &dyn DoseModel<Field = HostField>| check::dose(model, &x);
+        let dose =
+            |model: &dyn DoseModel<Field = tomolith_core::field::HostField>| check::dose(model, &x);
         let (a, b) = (dose(&spread), dose(&parallel));
         let mut off = a.clone();
         off.axpy(-1.0, &b);

@@ -129,6 +129,31 @@ impl<P: ModelPropagation> Lights<P> {
     }
 }
 
+/// A model of light that spreads from a focal plane.
+pub trait WaveModel: DoseModel<Field = HostField> {
+    /// The model as data, for where a card computes it: not of a single slice, nor where no data say how its light spreads.
+    fn data(&self) -> Option<Form>;
+}
+
+impl<P: ModelPropagation> WaveModel for Lights<P> {
+    fn data(&self) -> Option<Form> {
+        if self.output.grid.shape[0] == 1 {
+            return None;
+        }
+        let of_light = |light: &WaveLight<f32, P>| Some(light.form(light.propagation.form()?));
+        Some(Form::Waves(Masked::new(WaveGeometry {
+            patterns: self.patterns.clone(),
+            output: self.output.clone(),
+            z_coupling: self.z_coupling(),
+            is_linear: P::IS_LINEAR,
+            lights: self.lights.iter().map(of_light).collect::<Option<_>>()?,
+            updates: self.updates(),
+            model: P::MODEL,
+            summary: self.summary(),
+        })))
+    }
+}
+
 impl<P: ModelPropagation> DoseModel for Lights<P> {
     type Field = HostField;
 
@@ -188,24 +213,6 @@ impl<P: ModelPropagation> DoseModel for Lights<P> {
         self.each()
             .map(|(light, p)| (light.turn.columns() * heights * p.grid.frames()) as u64)
             .sum()
-    }
-
-    /// Not of a single slice, nor where the propagation has none.
-    fn form(&self) -> Option<Form> {
-        if self.output.grid.shape[0] == 1 {
-            return None;
-        }
-        let of_light = |light: &WaveLight<f32, P>| Some(light.form(light.propagation.form()?));
-        Some(Form::Waves(Masked::new(WaveGeometry {
-            patterns: self.patterns.clone(),
-            output: self.output.clone(),
-            z_coupling: self.z_coupling(),
-            is_linear: P::IS_LINEAR,
-            lights: self.lights.iter().map(of_light).collect::<Option<_>>()?,
-            updates: self.updates(),
-            model: P::MODEL,
-            summary: self.summary(),
-        })))
     }
 
     fn describe(&self) -> String {

@@ -70,15 +70,15 @@ mod tests;
 mod window;
 
 use super::{
-    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Purpose, Quantity, TimedBy,
+    Capabilities, Cost, DoseLayout, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
+    OpticalScene, Purpose, Quantity, TimedBy,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
 use light::WaveLight;
-pub use lights::beyond;
 use lights::{Lights, affordable_windows, heights_of};
+pub use lights::{WaveModel, beyond};
 use number::Number;
 use sampling::FIELDS_COST;
 use schemars::JsonSchema;
@@ -87,7 +87,6 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::{concise, exact};
@@ -202,7 +201,7 @@ impl ModelFamily for Params {
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
-        Ok(model(input.scene.vial, lights, self, grid)?.form())
+        Ok(model(input.scene.vial, lights, self, grid)?.data())
     }
 }
 
@@ -238,7 +237,7 @@ pub fn model(
     lights: Vec<Light>,
     params: &Params,
     grid: VolumeGrid,
-) -> Result<impl DoseModel<Field = HostField> + use<>> {
+) -> Result<impl WaveModel + use<>> {
     let settings = params.settings();
     let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
         light_of(vial, light, params, &settings, layout, which, first_frame)

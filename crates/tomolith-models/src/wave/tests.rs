@@ -2,6 +2,7 @@
 
 use super::light::Propagation;
 use super::*;
+use crate::DoseModel;
 use crate::PatternLayout;
 use crate::Work;
 use std::f64::consts::PI;
