@@ -18,7 +18,7 @@ use tomolith::response::curve::Curve;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 use tomolith_planning::absorbance::{self, Attenuation, Coefficient, MediumFit};
-use tomolith_planning::discs::{self, Discs, DoseFit};
+use tomolith_planning::discs::{self, Disc, Discs, DoseFit};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::kinetics;
 use tomolith_planning::measured::csv;
@@ -463,7 +463,17 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         ),
     );
     if let Some(at) = at {
-        let Some(time) = resin.time_s(at) else {
+        let lowest = fit
+            .ranges
+            .map_or(resin.min_irradiance, |ranges| ranges[0][0]);
+        let time = resin.time_s(at);
+        if time.is_none() && at > lowest {
+            answer.warn(format!(
+                "{} mW/cm² may cure this resin or may not: the lowest irradiance that does is not known better than from {} mW/cm² on; measure curing times there",
+                concise(at),
+                significant(lowest, 3)
+            ));
+        } else if time.is_none() {
             return Err(Error::config(
                 "--at",
                 format!(
@@ -473,11 +483,11 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
                 ),
                 format!("more than {} mW/cm²", concise(resin.min_irradiance)),
             ));
-        };
-        answer.line(
-            "curing time",
-            format!("{} s at {} mW/cm²", significant(time, 4), concise(at)),
-        );
+        }
+        if let Some(time) = time {
+            let text = format!("{} s at {} mW/cm²", significant(time, 4), concise(at));
+            answer.line("curing time", text);
+        }
         answer.set("time_s", time);
         if at < table.doses[0] || at > table.doses[table.doses.len() - 1] {
             answer.warn(format!(
@@ -621,6 +631,7 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
     );
     answer.range("doses", [first.dose, last.dose], 4, "mJ/cm²");
     answer.range("times", [first.seconds, last.seconds], 3, "s");
+    warn_of_discs(&mut answer, &discs);
     answer.line(
         "written",
         format!(
@@ -632,6 +643,42 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
     answer.set("folder", &given.output);
     answer.tell(given.manner);
     Ok(())
+}
+
+/// Time for which a projector shows an image at least, of 60 a second, s.
+const SHORTEST_S: f64 = 1.0 / 60.0;
+
+/// Time of a calibration print from which on resin does not keep still, s.
+const LONGEST_S: f64 = 1800.0;
+
+/// Width of a disc above which pixels are given in another unit, mm.
+const WIDEST_MM: f64 = 50.0;
+
+/// Warns of images that no projector shows, and of units that cannot be meant.
+fn warn_of_discs(answer: &mut Answer, discs: &[Disc]) {
+    let times: Vec<f64> = discs.iter().map(|disc| disc.seconds).collect();
+    let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let shortest = steps.fold(times[0], f64::min);
+    let longest = times.iter().copied().fold(0.0, f64::max);
+    if shortest < SHORTEST_S {
+        answer.warn(format!(
+            "an image is shown for {} ms, and a projector shows 60 a second: use less light (--irradiance), or higher doses",
+            significant(1e3 * shortest, 3)
+        ));
+    }
+    if longest > LONGEST_S {
+        answer.warn(format!(
+            "the print takes {} h, and resin keeps still for minutes: look at the units of --irradiance, --from and --to",
+            significant(longest / 3600.0, 3)
+        ));
+    }
+    let across = 2.0 * discs[0].radius_mm;
+    if across > WIDEST_MM {
+        answer.warn(format!(
+            "discs {} mm across: look whether --pixel-pitch-mm is in mm",
+            significant(across, 3)
+        ));
+    }
 }
 
 /// Share of a fitted rise that may lie outside the measured doses at either end.
@@ -680,6 +727,7 @@ fn dose(given: &DoseArguments) -> Result<()> {
             format!("{} mm", with_error(fit.length_mm, fit.length_error)),
         );
         answer.number("left over (rms)", fit.rms_mm, 3, "mm");
+        tell_other_widths(&mut answer, &fit);
     }
     let depth = fit.penetration_mm().or(given.penetration_mm);
     if let (Some(fitted), Some(asked)) = (fit.penetration_mm(), given.penetration_mm) {
@@ -710,6 +758,28 @@ fn dose(given: &DoseArguments) -> Result<()> {
     }
     answer.set("fit", &fit);
     answer.finish(&given.measured.files, &files)
+}
+
+/// Part of a critical dose that a hundredth of a width may be worth without a word.
+const KNOWN: f64 = 0.05;
+
+/// How far a critical dose of widths moves with the width of the light.
+fn tell_other_widths(answer: &mut Answer, fit: &DoseFit) {
+    let Some(others) = fit.of_other_widths else {
+        return;
+    };
+    let is_near = |dose: Option<f64>| {
+        dose.is_some_and(|dose| (dose / fit.critical_mj_per_cm2 - 1.0).abs() < KNOWN)
+    };
+    if others.into_iter().all(is_near) {
+        return;
+    }
+    let text = |dose: Option<f64>| dose.map_or_else(|| "none".to_owned(), |d| significant(d, 3));
+    let [narrow, wide] = others.map(text);
+    answer.warn(format!(
+        "the critical dose is {narrow} or {wide} mJ/cm² where discs of light are 1 % narrower or wider than radius_mm says, which its error leaves out: \
+         measure pixel pitch and magnification as well, or take depths, or which discs cured"
+    ));
 }
 
 /// Whether the discs cured at the doses at which a fit of their sizes says so.

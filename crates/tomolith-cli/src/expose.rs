@@ -31,7 +31,7 @@ Examples:
   tomolith expose out/09-printer --irradiance 25
   tomolith expose out/01-gear --trade-off                             # shorter prints, and what they lose
   tomolith expose out/01-gear --trade-off --row 3 --output faster.toml
-  tomolith expose out/01-gear --power \"40 mW\" --critical-dose \"0.8 J/cm3\" --turns 4
+  tomolith expose out/09-printer --power \"0.7 W\" --critical-dose \"0.8 J/cm3\" --turns 4
   tomolith expose out/01-gear --irradiance \"250 W/m2\" --critical-dose 0.8 --within-s 120
 What is left out is taken from the run's job: printer.peak_irradiance_mw_per_cm2, resin.critical_dose_mj_per_mm3, output.rpm";
 
@@ -49,7 +49,7 @@ pub(crate) struct ExposeArguments {
     /// Irradiance at white at the vial, mW/cm² (or with its unit)
     #[arg(long, value_name = "IRRADIANCE", conflicts_with = "power")]
     irradiance: Option<String>,
-    /// Power at the vial with every pixel white, mW (or with its unit)
+    /// Power at the vial with every pixel of printer.canvas white, mW (or with its unit)
     #[arg(long, value_name = "POWER")]
     power: Option<String>,
     /// Dose at which the resin gels, mJ/mm³ (or with its unit)
@@ -106,6 +106,8 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let exposure = exposure_of(&given.run)?;
     if given.printer.is_some() {
         must_show(&printer, &exposure["lights"][i])?;
+        let of_run = job_of_run(&given.run, None, &[])?;
+        must_shine(&printer, &of_run.spec.printer_of(i).unwrap_or_default())?;
     }
     let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
     let machine = machine(given, &job, &printer, &shown)?;
@@ -155,6 +157,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
             in_time,
             reported_percent: reported_percent.filter(|_| !together.is_object()),
             arc_deg: arc.to_degrees() * shown.sums.len() as f64,
+            is_toy: report["is_toy"] == true,
         },
     );
     Ok(())
@@ -223,6 +226,42 @@ fn must_show(printer: &PrinterSpec, light: &Value) -> Result<()> {
     Ok(())
 }
 
+/// Refuses a machine on which the frames of a run, made for another one, are other light.
+fn must_shine(printer: &PrinterSpec, of_run: &PrinterSpec) -> Result<()> {
+    let mut keys = [
+        ("gray_curve", printer.gray_curve != of_run.gray_curve),
+        (
+            "gray_curve_file",
+            printer.gray_curve_file != of_run.gray_curve_file,
+        ),
+        ("flat_field", printer.flat_field != of_run.flat_field),
+        ("channel", printer.channel != of_run.channel),
+        (
+            "quarter_turns",
+            printer.quarter_turns != of_run.quarter_turns,
+        ),
+        (
+            "flip_horizontal",
+            printer.flip_horizontal != of_run.flip_horizontal,
+        ),
+        (
+            "flip_vertical",
+            printer.flip_vertical != of_run.flip_vertical,
+        ),
+    ]
+    .into_iter();
+    let Some((key, _)) = keys.find(|(_, differs)| *differs) else {
+        return Ok(());
+    };
+    Err(Error::config(
+        "--printer",
+        format!(
+            "its `{key}` is not that of the machine that the frames of this run were made for, so they are other light there"
+        ),
+        "the machine of the run; for another one, the folder that `tomolith export RUN --printer FILE` writes for it",
+    ))
+}
+
 /// What a plan says besides its numbers.
 struct Remarks {
     /// Process windows over the dose that gels, by the names of species.
@@ -233,6 +272,8 @@ struct Remarks {
     reported_percent: Option<f64>,
     /// What one pass of the frames covers.
     arc_deg: f64,
+    /// Whether the run is a toy of its job.
+    is_toy: bool,
 }
 
 /// Process windows as shares of the dose that gels, of each species where there are several; none of a response that is no dose, whose window gives
@@ -314,7 +355,17 @@ fn machine(
 ) -> Result<Machine> {
     let irradiance = match (&given.irradiance, &given.power) {
         (Some(text), _) => IRRADIANCE.parse("--irradiance", text)?,
-        (None, Some(text)) => POWER.parse("--power", text)? / shown.white_cm2(),
+        (None, Some(text)) => {
+            let power = POWER.parse("--power", text)?;
+            if printer.canvas.is_none() {
+                return Err(Error::config(
+                    "--power",
+                    "nothing says how many pixels the device has among which its power is spread: the frames of this run are those of its patterns",
+                    "printer.canvas = [columns, rows] in the job; --irradiance; or --printer FILE with the canvas that the frames were made for",
+                ));
+            }
+            power / shown.white_cm2()
+        }
         (None, None) => printer.peak_irradiance_mw_per_cm2.ok_or_else(|| {
             missing(
                 "--irradiance",
@@ -357,6 +408,9 @@ fn show(
     let mut answer = Answer::default();
     if let Some(left_out) = remarks.in_time {
         answer.warn(left_out);
+    }
+    if remarks.is_toy {
+        answer.warn("these are the frames of a toy of the job, with larger pixels and fewer angles: plan those of a whole run");
     }
     answer.number("irradiance at white", machine.irradiance, 4, "mW/cm²");
     let unit = "mJ/mm² of a frame over the print";

@@ -2,7 +2,7 @@
 
 use crate::field::GpuField;
 use crate::passes::{Operand, Pass, finish_sums};
-use crate::stretches::{Chunks, Pairs};
+use crate::stretches::{Pairs, Stretches};
 use std::sync::Arc;
 use tomolith_core::field::bands::CHORD;
 use tomolith_core::field::costs::{FramePairs, PixelPairs};
@@ -18,7 +18,7 @@ pub enum GpuCosts {
 
 /// Pairs of pixels in lists of which none has a pixel twice on one side.
 pub struct Differences {
-    lists: Vec<Chunks>,
+    lists: Vec<Stretches>,
     edge: Option<f64>,
 }
 
@@ -71,7 +71,7 @@ impl Differences {
                 count: pairs.count,
                 weight: pairs.weight as f32,
             });
-            Chunks::new(like.gpu(), [like, like], pairs)
+            Stretches::new(like.gpu(), [like, like], pairs)
         };
         Differences {
             lists: [above, beside, onward].map(list).into(),

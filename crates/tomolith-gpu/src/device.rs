@@ -35,6 +35,8 @@ const SMALL_COPY: u64 = 1 << 20;
 const COPIES: usize = 3;
 /// Part of a card's memory that models may store between calls.
 const STORED_SHARE: f64 = 0.4;
+/// Part of it that is in use at most when a model begins to store.
+const MOST_STORED: f64 = 0.7;
 /// What is stored where the card does not say how much it has, bytes.
 const STORED: u64 = 2_100_000_000;
 /// Bytes that free buffers may take while they wait for reuse.
@@ -272,10 +274,13 @@ impl Gpu {
         self.0.adapter.memory_bytes
     }
 
-    /// Bytes that what models store between calls may take.
+    /// Bytes that what a model stores between calls may take: less where others have taken much.
     pub(crate) fn stored_bytes(&self) -> u64 {
-        let share = |bytes| (STORED_SHARE * bytes as f64) as u64;
-        self.memory_bytes().map_or(STORED, share)
+        let share = |share: f64, bytes: u64| (share * bytes as f64) as u64;
+        let used = locked(&self.0.idle).used;
+        self.memory_bytes().map_or(STORED, |bytes| {
+            share(STORED_SHARE, bytes).min(share(MOST_STORED, bytes).saturating_sub(used))
+        })
     }
 
     /// The card with so much of something in its memory, for people.

@@ -11,7 +11,7 @@ use crate::device::{Buffer, Gpu};
 use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
 use crate::passes::{Operand, Pass};
-use crate::stretches::{Chunks, Pairs};
+use crate::stretches::{Pairs, Stretches};
 use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::dose::{DoseLayout, Facts, PatternLayout, Space};
@@ -341,7 +341,7 @@ impl Field for GpuField {
             count: part.count,
             weight: 1.0,
         });
-        let chunks = Chunks::new(&self.gpu, [self, x], pairs);
+        let both = Stretches::new(&self.gpu, [self, x], pairs);
         let (name, body) = match adds {
             true => ("add stretches", "y[i] += p.a.x * x[j];"),
             false => ("set stretches", "y[i] = p.a.x * x[j];"),
@@ -356,7 +356,7 @@ impl Field for GpuField {
             (Operand::written("y", &self.pieces), 0),
             (Operand::read("x", &x.pieces), 1),
         ];
-        chunks.each(&self.gpu, &pass, &sides);
+        both.each(&self.gpu, &pass, &sides);
     }
 
     fn clear(&mut self, elements: Range<usize>) {

@@ -11,13 +11,14 @@
 //! A pixel changes its level when what it was moved by adds up to half a level, so the doses' errors of all frames together decide, not
 //! those of the pixel alone. t begins at 0.3 of the length to the least loss along −∇L, becomes 0.6 of itself after a step that raised
 //! the loss and 1.1 of itself after one that did not. Of all steps the patterns with the least loss are taken; those of plain rounding
-//! are one of them, so that the loss is never above theirs.
+//! are one of them, so that the loss is never above theirs. Pixels of a machine that are turned, shifted or of another size than those of the light are made up for
+//! in the same way, at any bit depth.
 //!
-//! **Full scale** The brightest pixels of an optimization are few, and with few levels they cost all others their steps. Eight
+//! **Full scale** of few levels. The brightest pixels of an optimization are few, and with few levels they cost all others their steps. Eight
 //! shares of the brightest pixel (of each light), 1 to 0.18, are tried with plain rounding, and three quarters of the one with the least loss are
 //! taken: the steps win back what is cut off at the top. The largest y stays s, so that the levels stay where they are.
 //!
-//! **Error diffusion** is tried as well, at the same full scales: a pixel carries what its level lacks to the same pixel of the next frame, whose
+//! **Error diffusion** is tried as well for few levels, at the same full scales: a pixel carries what its level lacks to the same pixel of the next frame, whose
 //! light takes nearly the same path ([`diffused`]). Where the loss is least that way, its patterns are taken.
 //!
 //! **Source** The gradient at the rounded values moves values that are not rounded: the straight-through estimator of Bengio, Léonard and
@@ -70,7 +71,8 @@ pub struct Gain {
 /// The light that a machine shows for given patterns.
 pub type ShownDose<'a> = dyn FnMut(&HostField) -> Result<HostField> + 'a;
 
-/// Improves patterns on the levels that a machine of so many bits shows: what to ask of it, and what that brings.
+/// Improves patterns as a machine shows them: what to ask of it, and what that brings. `bits` where it shows few levels, for which full scales and error diffusion
+/// are tried as well.
 ///
 /// # Errors
 /// [`Error::Canceled`], [`Error::NonFinite`], and those of `shown`.
@@ -78,7 +80,7 @@ pub fn improve(
     problem: &mut Problem<HostField>,
     x: &HostField,
     shown: &mut ShownDose<'_>,
-    bits: u32,
+    bits: Option<u32>,
 ) -> Result<(HostField, Gain)> {
     let model = problem.model();
     let mut pass = Pass {
@@ -100,9 +102,14 @@ pub fn improve(
     };
     let mut best = x.clone();
     if rounded_loss > 0.0 {
-        let scale = LOWER * pass.scale(x, rounded_loss)?;
+        let scale = match bits {
+            Some(_) => LOWER * pass.scale(x, rounded_loss)?,
+            None => 1.0,
+        };
         pass.descend(scale, &mut best, &mut gain)?;
-        pass.diffuse(x, bits, &mut best, &mut gain)?;
+        if let Some(bits) = bits {
+            pass.diffuse(x, bits, &mut best, &mut gain)?;
+        }
     }
     gain.calls = pass.calls();
     Ok((best, gain))
@@ -325,7 +332,7 @@ mod tests {
         let mut problem = Problem::new(&case.model, &*objective, &[limits], &flag).unwrap();
         let (x, _) = solved(&mut problem, case, &Stop::default());
         let mut shown = projector(&case.model, bits);
-        let (asked, gain) = improve(&mut problem, &x, &mut shown, bits).unwrap();
+        let (asked, gain) = improve(&mut problem, &x, &mut shown, Some(bits)).unwrap();
         let shown = shown(&asked).unwrap();
         // What is claimed is what the model says of what is shown
         let loss = objective.value(&check::dose(&case.model, &shown));
@@ -427,7 +434,7 @@ mod tests {
             odd.for_each(|v| *v *= 2.0 / 3.0);
             Ok(x)
         };
-        let (_, gain) = improve(&mut problem, &x, &mut shown, 3).unwrap();
+        let (_, gain) = improve(&mut problem, &x, &mut shown, Some(3)).unwrap();
         assert!(gain.loss < gain.rounded_loss, "{gain:?}");
     }
 
@@ -445,7 +452,7 @@ mod tests {
         let objective = case.objective("threshold", wide);
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
-        let (asked, gain) = improve(&mut problem, &x, &mut |x| Ok(x.clone()), 3).unwrap();
+        let (asked, gain) = improve(&mut problem, &x, &mut |x| Ok(x.clone()), Some(3)).unwrap();
         assert_eq!((gain.calls, gain.steps, gain.scale), (1, 0, 1.0));
         assert_eq!(asked.as_slice(), x.as_slice());
     }

@@ -39,6 +39,22 @@ use tomolith_report::plot::{Axis, Plot};
 /// Radius of a disc over the shorter edge of its field.
 const RADIUS: f64 = 0.32;
 
+/// Columns of `discs.csv`.
+const COLUMNS: [&str; 9] = [
+    "disc",
+    "x_mm",
+    "z_mm",
+    "radius_mm",
+    "time_s",
+    "dose_mj_per_cm2",
+    "cured",
+    "depth_mm",
+    "diameter_mm",
+];
+
+/// How far below the lowest dose that cured the critical one lies at least where widths fix it, in ln E.
+const LEAST_BELOW: f64 = 1e-3;
+
 /// Where no curve fits, sizes below so many radii of the light are taken for radii.
 const RADII: f64 = 1.3;
 
@@ -173,17 +189,6 @@ impl Discs {
             [&known[..], &[f64::NAN; 3]].concat()
         };
         let table: Vec<Vec<f64>> = discs.iter().enumerate().map(row).collect();
-        let names = [
-            "disc",
-            "x_mm",
-            "z_mm",
-            "radius_mm",
-            "time_s",
-            "dose_mj_per_cm2",
-            "cured",
-            "depth_mm",
-            "diameter_mm",
-        ];
         write_folder_whole(folder, |aside| {
             let set = FrameSet {
                 light: None,
@@ -196,7 +201,7 @@ impl Discs {
             write_frames(&aside.join("frames"), &[set], &Work::new())?;
             let schedule = csv(&["frame", "from_s", "for_s"], &schedule);
             std::fs::write(aside.join("schedule.csv"), schedule)?;
-            std::fs::write(aside.join("discs.csv"), csv(&names, &table))?;
+            std::fs::write(aside.join("discs.csv"), csv(&COLUMNS, &table))?;
             Ok(())
         })
     }
@@ -241,6 +246,8 @@ pub struct DoseFit {
     pub length_error: Option<f64>,
     /// r₀ of `diameter_mm`.
     pub radius_mm: Option<f64>,
+    /// E_c where r₀ is 1 % less and 1 % more, of `diameter_mm`; None where such a width gives none.
+    pub of_other_widths: Option<[Option<f64>; 2]>,
     /// Root mean square of what is left, mm.
     pub rms_mm: f64,
     /// Of a fit of sizes beside a filled column `cured`: the doses whose disc cured below the critical dose, or stayed liquid above it, by more than two standard
@@ -257,6 +264,7 @@ pub struct DoseFit {
 /// [`Error::Format`] for a file without results; [`Error::Config`] for results that fix no dose.
 pub fn fit(path: &Path) -> Result<DoseFit> {
     let table = Columns::read(path)?;
+    table.only(&COLUMNS)?;
     let refuse = |found: &str| {
         Err(Error::format(
             PathBuf::from(path),
@@ -352,6 +360,7 @@ pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
         length_mm: f64::NAN,
         length_error: None,
         radius_mm: None,
+        of_other_widths: None,
         rms_mm: 0.0,
         against_cured: None,
         points,
@@ -381,6 +390,15 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
 /// # Errors
 /// As [`fit_depth`].
 pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
+    let of_width = |share: f64| fit_width(points, share * radius_mm);
+    let of_other = |share| of_width(share).ok().map(|fit| fit.critical_mj_per_cm2);
+    Ok(DoseFit {
+        of_other_widths: Some([0.99, 1.01].map(of_other)),
+        ..of_width(1.0)?
+    })
+}
+
+fn fit_width(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
     let points = with_sizes("diameter_mm", points)?;
     let n = points.len();
     let lowest = points[0][0].ln();
@@ -399,20 +417,32 @@ pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
         .filter(|m| m.cost.is_finite())
         .min_by(|a, b| a.cost.total_cmp(&b.cost));
     let widest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
-    let refused = || match widest < RADII * radius_mm {
-        true => radii(widest, radius_mm),
-        false => rises("diameter_mm"),
+    let refused = || {
+        if widest < RADII * radius_mm {
+            return radii(widest, radius_mm, "diameters, not radii");
+        }
+        if widest < 2.0 * radius_mm {
+            return radii(widest, radius_mm, OF_ONE_SCALE);
+        }
+        rises("diameter_mm")
     };
     let mut found = best.ok_or_else(refused)?;
     // From θ to ln E_c, whose error follows
     let below = found.parameters[1].exp();
+    if below < LEAST_BELOW {
+        return Err(radii(widest, radius_mm, OF_ONE_SCALE));
+    }
     let errors = found.errors(0.0, n).map(|e| vec![e[0], e[1] * below]);
     found.parameters[1] = lowest - below;
     with_errors("diameter_mm", &found, errors, points, Some(radius_mm)).map_err(|_| refused())
 }
 
-/// Sizes that may be half of what they should.
-fn radii(widest: f64, radius_mm: f64) -> Error {
+/// What widths of discs must be to fix a dose.
+const OF_ONE_SCALE: &str = "diameters and radius_mm on one scale (pixel pitch, magnification, shrinkage): discs far above the critical dose are wider than their light. \
+     Depths, and which discs cured, need no such scale";
+
+/// Widths that do not go with those of the light.
+fn radii(widest: f64, radius_mm: f64, accepted: &str) -> Error {
     Error::config(
         "diameter_mm",
         format!(
@@ -420,7 +450,7 @@ fn radii(widest: f64, radius_mm: f64) -> Error {
             concise(widest),
             concise(2.0 * radius_mm)
         ),
-        "diameters, not radii",
+        accepted,
     )
 }
 
@@ -464,6 +494,7 @@ fn with_errors(
         length_mm,
         length_error: errors.map(|e| e[0]),
         radius_mm,
+        of_other_widths: None,
         rms_mm: (found.cost / points.len() as f64).sqrt(),
         against_cured: None,
         points,
@@ -565,6 +596,27 @@ mod tests {
         assert!((sizes(2.0).unwrap().critical_mj_per_cm2 - 10.0).abs() < 1e-3);
         let message = sizes(1.0).unwrap_err().to_string();
         tomolith_core::contains!(message, "of light 1.2 mm wide", "diameters, not radii");
+    }
+
+    /// r₀ + b·ln(E/E_c − 1) with b = 0.03 and E_c = 38, measured on another scale.
+    #[test]
+    fn widths_on_another_scale_than_their_light_fix_no_dose() {
+        let fit = |scale: f64| {
+            let points: Vec<[f64; 2]> = (0..19)
+                .map(|j| 42.3 * 1.13f64.powi(j))
+                .map(|e| [e, 2.0 * scale * (0.95 + 0.03 * (e / 38.0 - 1.0).ln())])
+                .collect();
+            fit_diameter(&points, 0.95)
+        };
+        let found = fit(1.0).unwrap();
+        assert!((found.critical_mj_per_cm2 - 38.0).abs() < 1e-3);
+        // A hundredth of the width is a third of b
+        let [narrow, wide] = found.of_other_widths.unwrap();
+        assert!(narrow.unwrap() < 35.0 && wide.is_none_or(|wide| wide > 40.0));
+        for scale in [0.95, 0.9] {
+            let message = fit(scale).unwrap_err().to_string();
+            tomolith_core::contains!(message, "of light 1.9 mm wide", "on one scale");
+        }
     }
 
     /// Depths of 1.5 mm·ln(E/20).

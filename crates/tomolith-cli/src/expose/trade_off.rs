@@ -3,6 +3,7 @@
 use super::ExposeArguments;
 use crate::answer::Answer;
 use serde::Deserialize as _;
+use serde_json::Value;
 use std::path::Path;
 use tomolith::io::{must_be_new, write_text};
 use tomolith::job::{Document, Job};
@@ -73,6 +74,11 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
     must_be_new("--output", file)?;
     let mut document = Document::read(&run.join("job.toml"))?;
     document.set(&format!("bounds.max={largest}"))?;
+    // The folder of the run is another job's
+    let output = document.root.get_mut("output");
+    if let Some(output) = output.and_then(Value::as_object_mut) {
+        output.remove("folder");
+    }
     let text = Job::from_document(document)?.complete().to_toml()?;
     write_text(file, &text)
 }

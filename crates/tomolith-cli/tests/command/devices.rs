@@ -59,6 +59,22 @@ fn a_card_that_is_not_there_is_refused_with_what_there_is() {
 }
 
 #[test]
+fn a_job_for_any_card_says_that_the_processor_computes_it() {
+    let bench = Bench::with(&[]);
+    let devices = bench.json("devices");
+    let is_real = |device: &serde_json::Value| device["is_software"] == false;
+    if devices["devices"].as_array().unwrap().iter().any(is_real) {
+        return;
+    }
+    bench.done(&run("01-gear", "auto", "auto", "--set stop.iterations=2"));
+    let text = bench.report("auto").to_string();
+    assert!(
+        text.contains("no graphics card was found, so the processor computes"),
+        "{text}"
+    );
+}
+
+#[test]
 fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let bench = Bench::with(&[]);
     let Some(device) = card(&bench) else { return };

@@ -22,7 +22,7 @@ pub use simulate::simulate;
 use super::dose::cache::RunCache;
 use super::dose::model_probe::try_orders;
 use super::dose::written::Written;
-use super::evaluate::evaluate_patterns;
+use super::evaluate::{Origin, evaluate_patterns};
 use super::optimize::checkpoint::{discard_best, keep};
 use super::optimize::{CheckpointPlan, Optimized, optimize};
 use super::output::files::{self, Done};
@@ -227,8 +227,11 @@ fn evaluated<'a>(
         &resolved,
         &voxels,
         &patterns.shown,
-        Some(&optimized.raw),
-        cache.evaluation_model(),
+        Origin {
+            raw: Some(&optimized.raw),
+            model: cache.evaluation_model(),
+            is_optimized: true,
+        },
         clock.progress,
         &stage,
     );

@@ -110,7 +110,10 @@ fn two_species_are_judged_at_one_exposure() {
     }
     assert_eq!(report["limits"], report["species"][0]["limits"]);
     assert_limits_add_up(&report["species"][1]);
-    tomolith_core::contains!(html, "Finer pixels of uv may bring more");
+    tomolith_core::contains!(
+        html,
+        "Finer pixels of uv on the same field (more light.pixels) may bring more"
+    );
     tomolith_core::contains!(summary, "acrylate:", "epoxy:");
     let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
     assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));

@@ -81,7 +81,10 @@ pub(crate) fn joined(
         };
         plans.iter().flat_map(dark_of).collect()
     };
-    let (reason, is_on_card) = (plans[0].reason.clone(), plans[0].is_on_card);
+    let is_on_card = plans.iter().any(|plan| plan.is_on_card);
+    let mut reasons: Vec<&str> = plans.iter().map(|plan| plan.reason.as_str()).collect();
+    reasons.dedup();
+    let reason = reasons.join("; then ");
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
     let boxed = |plan: ModelPlan| Box::new(plan.model) as HostModel;
     let model = join(plans.into_iter().map(boxed).collect())?;

@@ -4,7 +4,8 @@
 //! 0.998 on the voxels around it at 0.3, 0.45 and 0.6 per mm, and at the wall 0.68, 1.9 and 5.6 times the dose at which it gels.
 //!
 //! **Method** Dose of the written patterns, the vial standing, in cubes of a sixty-fourth of the vial's width over the height of the job's voxels; those within the box of the job do not count. Of light that is scattered, what is not: less than all.
-//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle, coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
+//! Patterns that were not optimized for the part may light any height and place: of these the cubes reach over all rows of pixels, in any resin.
+//! **Limits** Not looked at: resin that weakens light by less than e^1.5 from the wall to the middle where patterns were optimized for the part, coherent light, stored models, gray targets, patterns that differ from turn to turn. What is finer than the voxels is averaged.
 
 use super::SpeciesPrint;
 use crate::error::Result;
@@ -28,17 +29,21 @@ const CLEAR: f64 = 1.5;
 pub(crate) struct Around {
     /// The most dose there, in those at which the part gels.
     times: f64,
-    /// How far from the axis, mm.
+    /// How far from the axis, and at which height, mm.
     from_axis_mm: f64,
+    z_mm: f64,
+    /// Whether the resin takes so much light that a wall gets more than a part within it.
+    is_deep: bool,
     /// Radius of the resin, mm.
     radius_mm: f64,
 }
 
-/// Whether resin around the voxels of a print solidifies, and where most.
+/// Whether resin around the voxels of a print solidifies, and where most; `is_given`: the patterns were not optimized here.
 pub(super) fn of_resin(
     job: &ResolvedJob,
     shown: &[Patterns],
     prints: &[SpeciesPrint],
+    is_given: bool,
     work: &Work,
 ) -> Result<Option<Around>> {
     let optics = &job.optics;
@@ -51,10 +56,16 @@ pub(super) fn of_resin(
     let radius = optics.vial.resin_wall().inscribed_radius();
     let is_clear =
         |light: &Light| light.map.is_none() && light.resin.attenuation_per_mm * radius < CLEAR;
-    if optics.lights.iter().all(is_clear) {
+    let is_deep = !optics.lights.iter().all(is_clear);
+    if !is_deep && !is_given {
         return Ok(None);
     }
-    let grid = across(&job.grid, radius);
+    let [low, high] = job.grid.bounds_mm().map(|corner| corner[2]);
+    let heights = match is_given {
+        true => lit_heights(&optics.lights, [low, high]),
+        false => [low, high],
+    };
+    let grid = across(heights, radius);
     let around = places(&grid, &job.grid, radius);
     if around.len() < LEAST {
         return Ok(None);
@@ -91,10 +102,12 @@ pub(super) fn of_resin(
         .filter_map(of_species)
         .max_by(|a, b| a.1.total_cmp(&b.1));
     Ok(worst.map(|(at, times)| {
-        let [x, y, _] = grid.middle(at);
+        let [x, y, z] = grid.middle(at);
         Around {
             times,
             from_axis_mm: x.hypot(y),
+            z_mm: z,
+            is_deep,
             radius_mm: radius,
         }
     }))
@@ -110,6 +123,15 @@ impl Around {
     }
 
     pub(super) fn warning(&self) -> String {
+        if !self.is_deep {
+            return format!(
+                "resin around the voxels of this job solidifies: {} mm from the axis at z = {} mm it gets {} times the dose at which the part gels, and the numbers of this print \
+                 leave it out. These patterns light more than the part: voxels across the vial and over all rows of pixels (grid.shape) show what they print",
+                significant(self.from_axis_mm, 2),
+                significant(self.z_mm, 2),
+                significant(self.times, 2),
+            );
+        }
         format!(
             "resin around the voxels of this job solidifies: {} mm from the axis it gets {} times the dose at which the part gels, and the numbers of this print leave it out. \
              Use a resin that absorbs less (with resin.absorption_per_mm = {} light falls to 1/e from the wall to the middle), or a vial no wider than the part needs; \
@@ -121,16 +143,26 @@ impl Around {
     }
 }
 
-/// Cubes across a vial, over the heights of a grid.
-fn across(grid: &VolumeGrid, radius: f64) -> VolumeGrid {
+/// From the lowest to the highest of these heights and of the rows of pixels, mm.
+fn lit_heights(lights: &[Light], [low, high]: [f64; 2]) -> [f64; 2] {
+    let rows = lights.iter().map(|light| {
+        let half = light.pixels.rows as f64 * light.pixels.pitch_mm[1] / 2.0;
+        [-half, half].map(|edge| light.pixels.offset_mm[1] + edge)
+    });
+    rows.fold([low, high], |[low, high], [bottom, top]| {
+        [low.min(bottom), high.max(top)]
+    })
+}
+
+/// Cubes across a vial, over some heights.
+fn across([low, high]: [f64; 2], radius: f64) -> VolumeGrid {
     let pitch_mm = 2.0 * radius / ACROSS as f64;
-    let height_mm = grid.shape[0] as f64 * grid.height_mm;
-    let slices = (height_mm / pitch_mm).round().max(1.0) as usize;
+    let slices = ((high - low) / pitch_mm).round().max(1.0) as usize;
     VolumeGrid {
         shape: [slices, ACROSS, ACROSS],
         pitch_mm,
         height_mm: pitch_mm,
-        center_mm: [0.0, 0.0, grid.center_mm[2]],
+        center_mm: [0.0, 0.0, f64::midpoint(low, high)],
     }
 }
 
@@ -139,12 +171,9 @@ fn places(grid: &VolumeGrid, job: &VolumeGrid, radius: f64) -> Vec<usize> {
     let [low, high] = job.bounds_mm();
     let edge = grid.pitch_mm;
     let is_around = |&i: &usize| {
-        let [x, y, _] = grid.middle(i);
-        let is_inside = (0..2).all(|k| {
-            let at = [x, y][k];
-            at > low[k] - edge && at < high[k] + edge
-        });
-        !is_inside && x.hypot(y) < radius - edge
+        let at = grid.middle(i);
+        let is_inside = (0..3).all(|k| at[k] > low[k] - edge && at[k] < high[k] + edge);
+        !is_inside && at[0].hypot(at[1]) < radius - edge
     };
     (0..grid.len()).filter(is_around).collect()
 }
@@ -152,7 +181,7 @@ fn places(grid: &VolumeGrid, job: &VolumeGrid, radius: f64) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::evaluate::evaluate_patterns;
+    use crate::job::evaluate::{Origin, evaluate_patterns};
     use crate::job::progress::Silent;
     use crate::job::tests::job_of;
 
@@ -172,7 +201,8 @@ mod tests {
             patterns.values.fill(1.0);
             let (shown, run) = ([patterns], Work::new());
             let voxels = job.own_voxels(&run).unwrap();
-            let printed = evaluate_patterns(&job, voxels, &shown, None, None, &mut Silent, &run);
+            let printed =
+                evaluate_patterns(&job, voxels, &shown, Origin::default(), &mut Silent, &run);
             let around = |text: &&String| text.starts_with("resin around the voxels");
             printed
                 .unwrap()
@@ -182,6 +212,13 @@ mod tests {
                 .collect::<Vec<_>>()
         };
         assert_eq!(warnings(&[]), [""; 0]);
+        // Even light of twice the width, or of twice the height of the part
+        for pixels in ["light[0].pixels=[24, 14]", "light[0].pixels=[12, 28]"] {
+            tomolith_core::contains!(
+                warnings(&[pixels])[0],
+                "These patterns light more than the part"
+            );
+        }
         let deep = warnings(&["resin.absorption_per_mm=1.5"]);
         // Even light over 1.2 mm has e^(1.5·3.4) = 164 times as much power at 3.9 mm as at 0.5 mm, on a circle 7.8 times as long
         tomolith_core::contains!(

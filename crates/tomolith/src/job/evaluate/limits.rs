@@ -109,6 +109,7 @@ impl Asked<'_> {
             pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: resolved.evaluation().bit_depth,
             has_machine: resolved.printers.is_some(),
+            by_pixels: self.changes_by_pixels(),
             dark_light: self.dark_light(),
             apart_from_mm: resolved.machine_pixels_apart_mm(),
             has_dim_pixels: resolved.has_dim_pixels(),
@@ -164,6 +165,25 @@ impl Asked<'_> {
         (light[1] > self.resolved.bounds_of(i).0).then_some(light)
     }
 
+    /// Whether a machine of few levels changes patterns by its pixels more than by its levels: at 8 bits by half as much, or more.
+    fn changes_by_pixels(&self) -> bool {
+        let bits = self.resolved.evaluation().bit_depth;
+        let (Some(printers), Some(optimized)) = (&self.resolved.printers, self.optimized) else {
+            return false;
+        };
+        let square_of = |bits: u32, (printer, raw): (&Printer, &Patterns)| {
+            let shown = printer.expose(raw, bits).and_then(|f| printer.light_of(&f));
+            let pairs = shown.map(|shown| raw.values.clone().into_iter().zip(shown.values));
+            let squares = |(raw, shown): (f32, f32)| f64::from(raw - shown).powi(2);
+            pairs.map_or(0.0, |pairs| pairs.map(squares).sum())
+        };
+        let change = |bits| -> f64 {
+            let lights = printers.iter().zip(&optimized.raw);
+            lights.map(|light| square_of(bits, light)).sum()
+        };
+        bits < ENOUGH_BITS && 4.0 * change(ENOUGH_BITS) >= change(bits)
+    }
+
     /// Whether the loss had not come to rest; of the first species it is known whether that would have brought anything.
     fn falling(&self, s: usize) -> Option<Falling> {
         let optimized = self.optimized?;
@@ -194,6 +214,8 @@ struct Measurements {
     pitches_mm: [f64; 2],
     bits: u32,
     has_machine: bool,
+    /// Whether its pixels change patterns more than its few levels do.
+    by_pixels: bool,
     /// What the machine gives at level 0, as a share of white and as a pattern value; None where the patterns count that light, or there is none.
     dark_light: Option<[f64; 2]>,
     /// Width of the machine's pixels, mm, where those of the light are no whole number of them; None where they are, or there is no machine.
@@ -369,7 +391,7 @@ impl Measurements {
         let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
         let what = what.replace("{}", &self.change(before, after));
         let found = format!("Written with {bits}{machine} {what}.");
-        if self.has_machine && self.bits >= ENOUGH_BITS {
+        if self.has_machine && (self.bits >= ENOUGH_BITS || self.by_pixels) {
             if let Some([share, value]) = self.dark_light {
                 let [percent, value] = [100.0 * share, value].map(|n| significant(n, 3));
                 let found = format!(
@@ -609,7 +631,9 @@ impl Measurements {
         }
         let light = self.pixel_light.as_ref();
         let of_light = light.map_or_else(String::new, |name| format!(" of {name}"));
-        let action = format!("Finer pixels{of_light} may bring more: lower");
+        let action = format!(
+            "Finer pixels{of_light} on the same field (more light.pixels) may bring more: lower"
+        );
         (self.pixel_key.clone(), action)
     }
 
@@ -717,9 +741,13 @@ impl Measurements {
         };
         let light = self.pixel_light.as_ref();
         let light = light.filter(|_| limit.key == self.pixel_key);
+        let field = match verb {
+            "try a lower" => ", with more light.pixels",
+            _ => "",
+        };
         let light_name = light.map_or_else(String::new, |name| format!(" ({name})"));
         Some(format!(
-            " To improve, {anew}{verb} `{}`{light_name}.",
+            " To improve, {anew}{verb} `{}`{light_name}{field}.",
             limit.key
         ))
     }

@@ -165,8 +165,18 @@ impl Evaluated {
     }
 }
 
-/// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from; by a model that is there already, where
-/// it has their doses.
+/// Where patterns come from.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Origin<'a> {
+    /// The raw ones that the written ones were made from.
+    pub(crate) raw: Option<&'a [Patterns]>,
+    /// A model that is there already, where it has their doses.
+    pub(crate) model: Option<&'a EvaluationModel>,
+    /// Whether they were optimized for this part.
+    pub(crate) is_optimized: bool,
+}
+
+/// Simulates and measures the written patterns, per light.
 ///
 /// # Errors
 /// [`Error::Canceled`](crate::Error::Canceled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
@@ -175,11 +185,11 @@ pub(crate) fn evaluate_patterns(
     job: &ResolvedJob,
     voxels: &[Voxels],
     shown: &[Patterns],
-    raw: Option<&[Patterns]>,
-    evaluation_model: Option<&EvaluationModel>,
+    origin: Origin<'_>,
     progress: &mut dyn Progress,
     work: &Work,
 ) -> Result<Evaluated> {
+    let raw = origin.raw;
     let in_time_share = if job.schedule().is_some() {
         share::IN_TIME
     } else {
@@ -187,7 +197,7 @@ pub(crate) fn evaluate_patterns(
     };
     let printing = work.part(in_time_share);
     let work = &work.part(1.0 - in_time_share);
-    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, work);
+    let mut steps = EvaluationSteps::new(job, shown, origin.model, work);
     let (optimization, objectives) = steps.unwritten(voxels, raw)?;
     let [written, own_turning] = steps.on_own_voxels(voxels, raw.is_some())?;
     let text = steps.words();
@@ -243,7 +253,7 @@ pub(crate) fn evaluate_patterns(
     let noise = Noise::of(job, &voxels[0], shown, work)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
     let mut warnings = doubts_of(job, shown, &species, &noise, &agreement, progress)?;
-    let around = around::of_resin(job, shown, &species, work)?;
+    let around = around::of_resin(job, shown, &species, !origin.is_optimized, work)?;
     if let Some(text) = around.as_ref().map(Around::warning) {
         warnings.push(text.clone());
         progress.event(&Event::Warning { text });
@@ -619,7 +629,11 @@ mod tests {
             let (shown, run) = ([patterns], Work::new());
             let voxels = job.own_voxels(&run).unwrap();
             let raw = has_raw.then_some(&shown[..]);
-            evaluate_patterns(&job, voxels, &shown, raw, None, &mut Silent, &run).unwrap()
+            let origin = Origin {
+                raw,
+                ..Origin::default()
+            };
+            evaluate_patterns(&job, voxels, &shown, origin, &mut Silent, &run).unwrap()
         };
         let steps_of = |changes: &[&str], has_raw| {
             let evaluated = evaluated(changes, has_raw);

@@ -3,8 +3,8 @@
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::job::dose::written::Written;
-use crate::job::evaluate::evaluate_patterns;
 use crate::job::evaluate::in_time::{InTime, TimeSummary};
+use crate::job::evaluate::{Origin, evaluate_patterns};
 use crate::job::progress::Silent;
 use crate::job::resolve::ResolvedJob;
 use crate::metrics::Evaluation;
@@ -51,7 +51,8 @@ impl ResolvedJob {
         let written = Written::of_raw(patterns.to_vec(), self)?;
         let shown = &written.shown;
         let voxels = self.own_voxels(work)?;
-        let evaluated = evaluate_patterns(self, voxels, shown, None, None, &mut Silent, work)?;
+        let evaluated =
+            evaluate_patterns(self, voxels, shown, Origin::default(), &mut Silent, work)?;
         let in_time = evaluated.in_time.as_ref().map(InTime::summary);
         let is_several = self.species.len() > 1;
         let named = self.species.iter().zip(&evaluated.species);

@@ -1,4 +1,4 @@
-//! Patterns of a job on the few levels of its projector.
+//! Patterns of a job as its projector shows them: on few levels, or on pixels that are not those of the light.
 
 use crate::error::Result;
 use crate::field::{Field, HostField};
@@ -16,7 +16,11 @@ pub(crate) struct Levelled {
     pub(crate) gain: Gain,
 }
 
-/// Improves patterns on the levels that the job's machine shows; None where the job rounds plainly, or has many levels.
+/// How much of patterns a machine of many levels changes, in the norm, from where on they are improved on its pixels. Even pixels
+/// of 8 bits change less than 1 %.
+const CHANGED: f64 = 0.03;
+
+/// Improves patterns as the job's machine shows them; None where the job rounds plainly, or its many levels on even pixels lose next to nothing.
 pub(crate) fn improve(
     job: &ResolvedJob,
     problem: &mut Problem<HostField>,
@@ -24,7 +28,8 @@ pub(crate) fn improve(
     progress: &mut dyn Progress,
 ) -> Result<Option<Levelled>> {
     let evaluate = job.evaluation();
-    if !evaluate.improves_levels() {
+    let on_pixels = job.may_improve_pixels();
+    if !evaluate.improves_levels() && !on_pixels {
         return Ok(None);
     }
     let lights = problem.model().patterns();
@@ -36,9 +41,17 @@ pub(crate) fn improve(
         }
         Ok(x)
     };
-    let (asked, gain) = levels::improve(problem, x, &mut shown, evaluate.bit_depth)?;
+    if !evaluate.improves_levels() {
+        let mut change = shown(x)?;
+        change.axpy(-1.0, x);
+        if change.norm() <= CHANGED * x.norm() {
+            return Ok(None);
+        }
+    }
+    let few = evaluate.has_few_levels().then_some(evaluate.bit_depth);
+    let (asked, gain) = levels::improve(problem, x, &mut shown, few)?;
     progress.event(&Event::Note {
-        text: sentence(evaluate.bit_depth, &gain),
+        text: sentence(few, &gain),
     });
     Ok(Some(Levelled {
         asked: patterns(lights, &asked),
@@ -53,8 +66,8 @@ pub(crate) fn patterns(lights: &[PatternLayout], x: &HostField) -> Vec<Patterns>
         .collect()
 }
 
-/// What was done, for people.
-pub(crate) fn sentence(bits: u32, gain: &Gain) -> String {
+/// What was done, for people; `few`: the bits of a machine of few levels.
+pub(crate) fn sentence(few: Option<u32>, gain: &Gain) -> String {
     let Gain {
         rounded_loss,
         diffused_loss,
@@ -63,6 +76,15 @@ pub(crate) fn sentence(bits: u32, gain: &Gain) -> String {
         steps,
         calls,
     } = gain;
+    let Some(bits) = few else {
+        let way = match loss < rounded_loss {
+            true => format!("lowered it from {rounded_loss:.4e} to {loss:.4e}"),
+            false => format!("did not lower it from {rounded_loss:.4e}"),
+        };
+        return format!(
+            "loss of what the machine's pixels show: {steps} steps {way} ({calls} model calls)"
+        );
+    };
     let diffused = diffused_loss.map_or_else(String::new, |loss| {
         format!(", {loss:.4e} by error diffusion over neighboring frames")
     });

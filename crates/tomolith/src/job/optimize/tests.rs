@@ -2,7 +2,7 @@ use super::start::starting_patterns;
 use super::watch::{idle, is_measured};
 use crate::field::HostField;
 use crate::io::npy::{PatternPair, write_patterns};
-use crate::job::evaluate::evaluate_patterns;
+use crate::job::evaluate::{Origin, evaluate_patterns};
 use crate::job::optimize::*;
 use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
@@ -215,7 +215,15 @@ fn ceilings_of_whole_voxels_are_judged_as_the_evaluation_does_and_begin_with_the
     let mut x = stage.start(resolved.method.start.as_ref(), &run).unwrap();
     let judged = stage.qualities(&x, false, &[], &run).unwrap();
     let patterns = stage.patterns(&mut x);
-    let print = evaluate_patterns(&resolved, &voxels, &patterns, None, None, silent, &run).unwrap();
+    let print = evaluate_patterns(
+        &resolved,
+        &voxels,
+        &patterns,
+        Origin::default(),
+        silent,
+        &run,
+    )
+    .unwrap();
     let evaluated = print.first().evaluation.measures.get("iou").unwrap();
     assert!(
         (judged[0].iou.unwrap() - evaluated).abs() < 1e-9,

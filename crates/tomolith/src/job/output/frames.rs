@@ -102,8 +102,9 @@ impl<'a> Shown<'a> {
         }
         let enough = self.showing.rpm() * FEW_TURNS / turns;
         let fastest = self.showing.fastest_rpm(i).min(FASTEST_RPM);
-        let advice = if enough.ceil() <= fastest {
-            format!("Set output.rpm = {} or more for three turns", enough.ceil())
+        let advice = if enough <= fastest {
+            let rpm = significant(enough, 4);
+            format!("Set output.rpm = {rpm} for three whole turns")
         } else {
             "Lower printer.peak_irradiance_mw_per_cm2 for more turns".to_owned()
         };

@@ -365,13 +365,14 @@ fn facts_of_optimization(
     if outcome.kept.iteration != last {
         facts.push(("Kept", earlier(outcome.kept, last)));
     }
-    let bits = resolved.evaluation().bit_depth;
+    let evaluate = resolved.evaluation();
+    let few = evaluate.has_few_levels().then_some(evaluate.bit_depth);
     let (found, levels) = (optimized.found.as_ref(), optimized.levels.as_ref());
     facts.extend(known([
         ("Lowest loss", outcome.gap().and_then(gap_sentence)),
         ("Process window", optimized.window.map(|w| w.sentence())),
         ("Response found", found.map(FoundResponse::sentence)),
-        ("Levels", levels.map(|levels| sentence(bits, &levels.gain))),
+        ("Machine", levels.map(|levels| sentence(few, &levels.gain))),
     ]));
     facts.push(("Model", optimized.model.clone()));
     let what = "voxel-angle updates per second, with those that searches leave out";

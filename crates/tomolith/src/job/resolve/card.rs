@@ -137,6 +137,31 @@ mod with_gpu {
             }
         }
     }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn a_loop_that_its_memory_does_not_hold_is_refused_or_left_to_the_processor() {
+            let Some(adapter) = tomolith_gpu::adapters().into_iter().next() else {
+                return;
+            };
+            let gpu = Gpu::smaller(&Asked::Named(&adapter.name), u64::MAX, 5_000_000).unwrap();
+            let asked = Card {
+                gpu: gpu.clone(),
+                gives_way: false,
+            };
+            assert!(asked.holds(5_000_000).unwrap());
+            let text = asked.holds(5_000_001).unwrap_err().to_string();
+            tomolith_core::contains!(text, adapter.name.as_str(), "6 MB", "5 MB", "--device cpu");
+            let auto = Card {
+                gpu,
+                gives_way: true,
+            };
+            assert!(!auto.holds(5_000_001).unwrap());
+        }
+    }
 }
 
 #[cfg(not(feature = "gpu"))]

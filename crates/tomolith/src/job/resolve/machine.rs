@@ -6,7 +6,7 @@ use crate::io::channel::Channel;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::goal::Goal;
 use crate::job::resolve::scheduled::{self, Emitted};
-use crate::job::spec::{Angles, JobSpec, LightSpec, MovieCoding};
+use crate::job::spec::{Angles, JobSpec, Levelling, LightSpec, MovieCoding};
 use crate::optics::light::Light;
 use crate::report::Irradiance;
 use crate::units::exact;
@@ -133,6 +133,26 @@ impl ResolvedJob {
             (times - times.round()).abs() > APART * times
         };
         pairs.find_map(|mut edges| edges.find(is_apart).map(|(_, of_machine)| of_machine))
+    }
+
+    /// Whether patterns are improved on pixels of a machine that change them. Those of jobs that refuse few levels are left as they are.
+    pub(crate) fn may_improve_pixels(&self) -> bool {
+        let has_heights = (self.schedule()).is_some_and(|schedule| schedule.level_heights);
+        self.printers.is_some()
+            && self.evaluation().levels == Levelling::Optimized
+            && self.species.len() == 1
+            && self.scenarios.is_empty()
+            && self.ranks.is_none()
+            && !has_heights
+            && !self.is_optimized_in_time()
+    }
+
+    /// Whether they are likely to be, by what the job says of the machine: its pixels are turned, or of another size.
+    pub(crate) fn improves_pixels(&self) -> bool {
+        let mut printers = (0..self.spec.light.len()).filter_map(|i| self.spec.printer_of(i));
+        let is_apart = printers.any(|printer| printer.rotation_deg != 0.0)
+            || self.machine_pixels_apart_mm().is_some();
+        self.may_improve_pixels() && is_apart
     }
 
     /// Whether a machine has pixels that are dead or dimmer than others.

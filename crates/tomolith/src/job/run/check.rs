@@ -3,6 +3,7 @@
 use super::cost::{Demand, mean_sub_angles};
 use super::{benchmark, resolved};
 use crate::error::Result;
+use crate::job::dose::in_time::diffuses;
 use crate::job::dose::model_probe::try_orders;
 use crate::job::evaluate::light_paths::scene;
 use crate::job::optimize::iterations_of_ceiling;
@@ -103,7 +104,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         ],
         misses_turning: resolved.misses_turning(),
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
-        levels: resolved.evaluation().improves_levels(),
+        levels: resolved.evaluation().improves_levels() || resolved.improves_pixels(),
         wall_s: resolved.stop().wall_s,
         longer: 1.0,
     };
@@ -121,6 +122,11 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
             &mut resolved.notes
         };
         texts.push(text);
+    }
+    let is_in_time = resolved.is_optimized_in_time() || diffuses(&resolved);
+    if resolved.optics.card.is_some() && is_in_time {
+        let text = "the card computes doses; the loop around them runs on the processor";
+        resolved.notes.push(text.to_owned());
     }
     let [x, y, z] = [2, 1, 0].map(|axis| resolved.grid.shape[axis]);
     let refine = resolved.extent.refine;

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::io::read_text;
 use crate::job::dose::cache::RunCache;
 use crate::job::dose::written;
-use crate::job::evaluate::evaluate_patterns;
+use crate::job::evaluate::{Origin, evaluate_patterns};
 use crate::job::output::files::Done;
 use crate::job::output::folder::{Leaves, RunFolder};
 use crate::job::output::summary::Summary;
@@ -70,8 +70,10 @@ fn simulate_stages(
         &resolved,
         &voxels,
         &patterns.shown,
-        patterns.raw.as_deref(),
-        None,
+        Origin {
+            raw: patterns.raw.as_deref(),
+            ..Origin::default()
+        },
         clock.progress,
         &stage,
     )?;

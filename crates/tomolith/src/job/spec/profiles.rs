@@ -3,13 +3,15 @@
 //! ```toml
 //! printer = "opencal"                                        # all keys of the profile
 //! resin = { profile = "sr399-tpo", scattering_per_mm = 0.1 } # and some that differ
-//! printer = "our-printer.toml"                               # a file of one's own, relative to the job, with the keys of the table
+//! printer = "our-printer.toml"                               # a file of one's own, relative to the job, with the keys of the table; files that
+//!                                                            # it names are relative to it
 //! ```
 //!
 //! A job is read with the numbers of its profiles in place, and the `job.toml` of a run has these numbers alone, so that it runs anywhere and whatever
 //! becomes of a profile.
 
 use super::document::Document;
+use super::job_files::make_absolute;
 use crate::error::{Error, Result, nearest_name};
 use crate::io::read_text;
 use serde_json::{Map, Value, json};
@@ -127,10 +129,13 @@ fn keys_of(table: &str, name: &str, base: &Path) -> Result<Map<String, Value>> {
         let path = base.join(name);
         let mut keys = read(&path, read_text(&path)?)?;
         // With its header, or as the table of a job
-        return Ok(match keys.remove(table) {
+        let mut keys = match keys.remove(table) {
             Some(Value::Object(of_table)) => of_table,
             _ => keys,
-        });
+        };
+        let folder = path.parent().unwrap_or(Path::new("."));
+        make_absolute(&mut keys, folder);
+        return Ok(keys);
     }
     Err(Error::Config {
         key: table.to_owned(),
@@ -205,6 +210,18 @@ mod tests {
             let from_file = job(&["resin=\"ours.toml\""], place.path()).unwrap();
             assert_eq!(from_file.spec.resin.absorption_per_mm, Some(0.3));
         }
+    }
+
+    #[test]
+    fn files_that_a_profile_names_lie_beside_it() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path().join("machines");
+        std::fs::create_dir(&folder).unwrap();
+        let text = "gray_curve_file = \"curve.csv\"\n";
+        std::fs::write(folder.join("ours.toml"), text).unwrap();
+        let changes = ["resin=\"sr399-tpo\"", "printer=\"machines/ours.toml\""];
+        let printer = job(&changes, place.path()).unwrap().spec.printer.unwrap();
+        assert_eq!(printer.gray_curve_file, Some(folder.join("curve.csv")));
     }
 
     #[test]

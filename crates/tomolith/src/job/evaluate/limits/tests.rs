@@ -21,6 +21,7 @@ fn measurements() -> Measurements {
         pitches_mm: [0.056, 0.028],
         bits: 8,
         has_machine: false,
+        by_pixels: false,
         dark_light: None,
         apart_from_mm: None,
         has_dim_pixels: false,
@@ -167,10 +168,10 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
     );
     // Half of all sides are enough for a good print
     let good = limits_of(0.985, 1.0, "light.offset_mm").sentence;
-    ends(&good, "pixel_pitch_mm`.");
+    ends(&good, "pixel_pitch_mm`, with more light.pixels.");
     // A rim of the part is not what lacks most
     let rim = limits_of(0.8, 0.02, "light.pixels").sentence;
-    ends(&rim, "pixel_pitch_mm`.");
+    ends(&rim, "pixel_pitch_mm`, with more light.pixels.");
 }
 
 #[test]
@@ -231,7 +232,7 @@ fn the_losses_of_a_run_add_up_to_what_is_missing() {
     assert_eq!(limits.causes[0].cause, Cause::Optics);
     ends(
         &limits.sentence,
-        "To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`.",
+        "To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`, with more light.pixels.",
     );
 }
 
@@ -400,7 +401,7 @@ fn of_several_lights_the_one_that_limits_is_named() {
     for text in [
         "The vial turns by 3° (violet) and 2° (uv) during each frame",
         "Raise `light[0].angles`",
-        "Finer pixels of uv may bring more",
+        "Finer pixels of uv on the same field (more light.pixels) may bring more",
         "inside rows of pixels of uv, but",
     ] {
         assert!(joined.contains(text), "{joined}");
@@ -574,15 +575,25 @@ fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
 
 #[test]
 fn light_that_a_machine_leaves_at_level_0_is_named() {
-    let machine = Measurements {
+    let on_machine = || Measurements {
         has_machine: true,
         written: Some(0.953),
         own_turning: None,
         ..measured([0.984, 0.953, 0.953, 0.95])
     };
+    let machine = on_machine();
     let advice_of = |machine: &Measurements| machine.limits().causes[0].advice.clone();
     let apart = advice_of(&machine);
     assert!(apart.contains("Bring the pixels"), "{apart}");
+    let few = |by_pixels| {
+        advice_of(&Measurements {
+            bits: 4,
+            by_pixels,
+            ..on_machine()
+        })
+    };
+    assert!(few(true).contains("Bring the pixels"));
+    tomolith_core::contains!(few(false), "Raise `evaluate.bit_depth`");
     let dark = Measurements {
         dark_light: Some([0.05, 0.125]),
         ..machine
