@@ -72,13 +72,13 @@ function kept({ history: end }: Report): string | null {
   return `The patterns are those after iteration ${own.iteration}${isNumber(end.iterations) ? ` of ${end.iterations}` : ""}${reason ? `: ${reason}` : ""}.`;
 }
 
-/** What was gained on few levels of the machine. */
+/** What was gained on few levels of the machine, or on its pixels. */
 function levels(own: Levels | null | undefined): string | null {
   if (!own) return null;
   const n = (value: Measure) => significant(value, 4);
   const diffused = isNumber(own.diffused_loss) ? ` (${n(own.diffused_loss)} by error diffusion)` : "";
   return (
-    `On the levels of the machine the patterns have a loss of ${n(own.loss)}, plainly rounded ${n(own.rounded_loss)}${diffused}: ${n(own.steps)} steps and ${n(own.calls)} model calls, ` +
+    `As the machine shows them the patterns have a loss of ${n(own.loss)}, plainly rounded ${n(own.rounded_loss)}${diffused}: ${n(own.steps)} steps and ${n(own.calls)} model calls, ` +
     `with a full scale of ${n(own.scale)} times the brightest pixel before.`
   );
 }

@@ -479,7 +479,10 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     // Units, power over the whole canvas (3.2 mm × 1.6 mm), and turns in place of a speed
     let units = &bench.json("expose a --irradiance 250~W/m² --critical-dose 0.8~J/cm3")["plan"];
     near(&units["time_s"], a["time_s"].as_f64().unwrap(), 1e-9);
-    let power = &bench.json("expose a --power 1.28~mW --critical-dose 0.8")["plan"];
+    let power = "--power 1.28~mW --critical-dose 0.8";
+    bench.refuse(&format!("expose a {power}"), &["--power: ", "printer.canvas"]);
+    bench.done("run job.toml --quiet --output c --set printer.canvas=[32,16]");
+    let power = &bench.json(&format!("expose c {power}"))["plan"];
     near(&power["continuous_s"], time, 2e-3 * time);
     let turns = &bench.json("expose a --irradiance 25 --critical-dose 0.8 --turns 3")["plan"];
     near(&turns["duty"], 1.0, 1e-9);

@@ -185,7 +185,7 @@ fn says_how_to_expose_and_what_limits(report: &Value, output: &str) {
     assert!((losses.iter().sum::<f64>() - missing).abs() < 1e-9);
     let key = limits[0]["key"].as_str().unwrap();
     let gels = "At the best exposure resin gels at a dose of ";
-    contains(output, "", &["Predicted IoU ", &format!("`{key}`."), gels]);
+    contains(output, "", &["Predicted IoU ", &format!("`{key}`"), gels]);
     assert!(
         !report["warnings"].to_string().contains("Predicted IoU"),
         "said twice"
