@@ -263,7 +263,7 @@ impl Diagnosis {
 
 fn place(at: [f64; 3]) -> String {
     let [x, y, z] = at.map(concise);
-    format!("({x}, {y}, {z}) mm")
+    format!("({x}, {y}, {z}) mm of the placed part")
 }
 
 /// Examines a mesh and makes it closed and outward.

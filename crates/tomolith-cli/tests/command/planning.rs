@@ -480,7 +480,10 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     let units = &bench.json("expose a --irradiance 250~W/m² --critical-dose 0.8~J/cm3")["plan"];
     near(&units["time_s"], a["time_s"].as_f64().unwrap(), 1e-9);
     let power = "--power 1.28~mW --critical-dose 0.8";
-    bench.refuse(&format!("expose a {power}"), &["--power: ", "printer.canvas"]);
+    bench.refuse(
+        &format!("expose a {power}"),
+        &["--power: ", "printer.canvas"],
+    );
     bench.done("run job.toml --quiet --output c --set printer.canvas=[32,16]");
     let power = &bench.json(&format!("expose c {power}"))["plan"];
     near(&power["continuous_s"], time, 2e-3 * time);

@@ -34,6 +34,9 @@ const HEADROOM: f64 = 1.2;
 /// Turns below which it shows that a print ends within one: some sides have then shone a half more often than others.
 const FEW_TURNS: f64 = 3.0;
 
+/// Time below which a print is a slip of units, s.
+const FLASH_S: f64 = 0.2;
+
 /// Share by which turns may miss a whole number.
 const WHOLE: f64 = 0.01;
 
@@ -100,6 +103,13 @@ impl<'a> Shown<'a> {
         if light.irradiance.is_some() || is_whole {
             return None;
         }
+        if budget.time_s.is_some_and(|seconds| seconds < FLASH_S) {
+            return Some(format!(
+                "{} takes {} s, which no machine shows: look at the units of resin.critical_dose_mj_per_mm3 and printer.peak_irradiance_mw_per_cm2",
+                self.named(i),
+                significant(budget.time_s?, 3)
+            ));
+        }
         let enough = self.showing.rpm() * FEW_TURNS / turns;
         let fastest = self.showing.fastest_rpm(i).min(FASTEST_RPM);
         let advice = if enough <= fastest {
@@ -108,16 +118,21 @@ impl<'a> Shown<'a> {
         } else {
             "Lower printer.peak_irradiance_mw_per_cm2 for more turns".to_owned()
         };
-        let name = match self.lights.len() {
-            1 => "the print".to_owned(),
-            _ => format!("light[{i}]"),
-        };
         Some(format!(
-            "{name} takes {} s, {} turns of the vial: it ends within a turn, so some sides have shone more often than others, and the part comes out uneven. \
+            "{} takes {} s, {} turns of the vial: it ends within a turn, so some sides have shone more often than others, and the part comes out uneven. \
              {advice}; `tomolith expose` plans whole turns",
+            self.named(i),
             significant(budget.time_s?, 3),
             significant(turns, 3)
         ))
+    }
+
+    /// The print, or that of one of several lights.
+    fn named(&self, i: usize) -> String {
+        match self.lights.len() {
+            1 => "the print".to_owned(),
+            _ => format!("light[{i}]"),
+        }
     }
 
     /// Warns of a print that takes longer than the job allows.

@@ -14,6 +14,7 @@ use crate::metrics::surface::TargetSurface;
 use crate::models::{DoseLayout, Work};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
+use crate::report::number::significant;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels, thin::Thin};
 use crate::units::concise;
 use std::sync::Arc;
@@ -75,6 +76,23 @@ fn of_thin(target: &Target) -> Option<String> {
 
 /// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
 const SLIVER: f32 = 0.05;
+
+/// Largest value of a gray picture below which it is hardly meant so.
+const DIM: f32 = 0.5;
+
+/// A gray picture that is dark everywhere, as colors are by their luma.
+fn of_dim(species: &Species, target: &Target) -> Vec<String> {
+    let most = target.inside.values.iter().copied().fold(0.0, f32::max);
+    let is_dim = target.gray && species.shape.pixel_mm().is_some() && most < DIM;
+    let text = || {
+        format!(
+            "the brightest voxel of the gray target is {}, and 1 is white: the print has no more. Colors of a picture count by their luma (red 0.21, green 0.72, blue 0.07): \
+             make it brighter, or gray",
+            significant(f64::from(most), 2)
+        )
+    };
+    is_dim.then(text).into_iter().collect()
+}
 
 impl ResolvedJob {
     /// The targets of all species on a grid.
@@ -161,6 +179,9 @@ impl ResolvedJob {
             warning.into_iter().collect()
         });
         found.extend(named(&self.species, faces.collect()));
+        let dim = self.species.iter().zip(voxels);
+        let dim = dim.map(|(species, voxels)| of_dim(species, &voxels.target));
+        found.extend(named(&self.species, dim.collect()));
         if self.sees_own_voxels() {
             found.extend(self.too_thin(voxels.iter().map(|voxels| &voxels.target)));
         }
