@@ -44,6 +44,8 @@ const LOWER: f32 = 0.75;
 const STEPS: usize = 30;
 /// Most dose and adjoint calls of a linear model.
 pub const CALLS: [usize; 2] = [2 * SCALES.len() + 4 + STEPS, STEPS];
+/// Loss of what a machine of many levels shows, over that of what was asked of it, above which it is lowered.
+const WORTH: f64 = 1.15;
 /// First length of a step, over the length to the least loss.
 const FIRST: f64 = 0.3;
 const MOMENTUM: f32 = 0.8;
@@ -101,7 +103,15 @@ pub fn improve(
         calls: 0,
     };
     let mut best = x.clone();
-    if rounded_loss > 0.0 {
+    let is_worth = match bits {
+        Some(_) => rounded_loss > 0.0,
+        None => {
+            pass.problem.measure(x, &mut pass.at)?;
+            let wanted = pass.at.loss;
+            rounded_loss > WORTH * wanted
+        }
+    };
+    if is_worth {
         let scale = match bits {
             Some(_) => LOWER * pass.scale(x, rounded_loss)?,
             None => 1.0,

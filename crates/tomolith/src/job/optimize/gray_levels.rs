@@ -50,6 +50,9 @@ pub(crate) fn improve(
     }
     let few = evaluate.has_few_levels().then_some(evaluate.bit_depth);
     let (asked, gain) = levels::improve(problem, x, &mut shown, few)?;
+    if few.is_none() && gain.steps == 0 {
+        return Ok(None);
+    }
     progress.event(&Event::Note {
         text: sentence(few, &gain),
     });
