@@ -4,7 +4,6 @@ use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::grid::Patterns;
 use crate::job::dose::written::Written;
-use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
 use crate::models::PatternLayout;
 use crate::optimize::Problem;
@@ -25,7 +24,6 @@ pub(crate) fn improve(
     job: &ResolvedJob,
     problem: &mut Problem<HostField>,
     x: &HostField,
-    progress: &mut dyn Progress,
 ) -> Result<Option<Levelled>> {
     let evaluate = job.evaluation();
     let on_pixels = job.may_improve_pixels();
@@ -33,14 +31,7 @@ pub(crate) fn improve(
         return Ok(None);
     }
     let lights = problem.model().patterns();
-    let mut shown = |asked: &HostField| {
-        let written = Written::of_raw(patterns(lights, asked), job)?;
-        let mut x = asked.zeros_like();
-        for (light, shown) in lights.iter().zip(&written.shown) {
-            light.fill_field(shown, x.as_mut_slice());
-        }
-        Ok(x)
-    };
+    let mut shown = |asked: &HostField| shown(job, lights, patterns(lights, asked));
     if !evaluate.improves_levels() {
         let mut change = shown(x)?;
         change.axpy(-1.0, x);
@@ -53,13 +44,24 @@ pub(crate) fn improve(
     if few.is_none() && gain.steps == 0 {
         return Ok(None);
     }
-    progress.event(&Event::Note {
-        text: sentence(few, &gain),
-    });
     Ok(Some(Levelled {
         asked: patterns(lights, &asked),
         gain,
     }))
+}
+
+/// What the job's machine shows of patterns, as a field.
+pub(crate) fn shown(
+    job: &ResolvedJob,
+    lights: &[PatternLayout],
+    asked: Vec<Patterns>,
+) -> Result<HostField> {
+    let written = Written::of_raw(asked, job)?;
+    let mut x = HostField::zeros(lights.iter().map(PatternLayout::len).sum());
+    for (light, shown) in lights.iter().zip(&written.shown) {
+        light.fill_field(shown, x.as_mut_slice());
+    }
+    Ok(x)
 }
 
 pub(crate) fn patterns(lights: &[PatternLayout], x: &HostField) -> Vec<Patterns> {

@@ -319,7 +319,8 @@ impl<'a> Stage<'a> {
         row_balance::level(job, &voxels, raw.to_vec(), progress, work).map(Some)
     }
 
-    /// The patterns on few levels of the machine, where the job has few.
+    /// The patterns as the machine shows them best, where it has few levels, or pixels that change them. Those of many levels that print worse on finer voxels, of
+    /// which the loss does not know, are left as they were.
     fn improve(
         &self,
         x: &HostField,
@@ -331,7 +332,33 @@ impl<'a> Stage<'a> {
         let objective = self.objective(0)?;
         let mut problem = Problem::new(model, &objective, bounds, work)?
             .with_penalties(job.method.penalties(model.patterns())?);
-        gray_levels::improve(job, &mut problem, x, progress)
+        let Some(found) = gray_levels::improve(job, &mut problem, x)? else {
+            return Ok(None);
+        };
+        let evaluate = job.evaluation();
+        let few = evaluate.has_few_levels().then_some(evaluate.bit_depth);
+        let mut text = gray_levels::sentence(few, &found.gain);
+        let is_worse = few.is_none() && self.prints_worse(x, &found, work)?;
+        if is_worse {
+            text += "; on finer voxels the print is worse, so the patterns stay as they were";
+        }
+        progress.event(&Event::Note { text });
+        Ok((!is_worse).then_some(found))
+    }
+
+    /// Whether patterns that were improved for a machine print worse than those before; of gray targets the loss alone says it.
+    fn prints_worse(&self, x: &HostField, found: &Levelled, work: &Work) -> Result<bool> {
+        if self.voxels.iter().any(|voxels| voxels.target.gray) {
+            return Ok(false);
+        }
+        let lights = self.model.patterns();
+        let iou_of = |asked| {
+            let shown = gray_levels::shown(self.job, lights, asked)?;
+            let found = self.qualities(&shown, false, &[], work)?;
+            Ok(found.first().and_then(|print| print.iou))
+        };
+        let before = iou_of(gray_levels::patterns(lights, x))?;
+        Ok(iou_of(found.asked.clone())? < before)
     }
 
     /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
