@@ -226,40 +226,43 @@ fn must_show(printer: &PrinterSpec, light: &Value) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a machine on which the frames of a run, made for another one, are other light.
+/// Keys of a machine that do not change the light of its frames, or are compared apart.
+const OF_NO_LIGHT: [&str; 6] = [
+    "canvas",
+    "pixel_pitch_mm",
+    "refresh_hz",
+    "peak_irradiance_mw_per_cm2",
+    "time_s",
+    "stack",
+];
+
+/// Refuses a machine on which the frames of a run, made for another one, are other light; what its file leaves out counts as the run's.
 fn must_shine(printer: &PrinterSpec, of_run: &PrinterSpec) -> Result<()> {
-    let mut keys = [
-        ("gray_curve", printer.gray_curve != of_run.gray_curve),
-        (
-            "gray_curve_file",
-            printer.gray_curve_file != of_run.gray_curve_file,
-        ),
-        ("flat_field", printer.flat_field != of_run.flat_field),
-        ("channel", printer.channel != of_run.channel),
-        (
-            "quarter_turns",
-            printer.quarter_turns != of_run.quarter_turns,
-        ),
-        (
-            "flip_horizontal",
-            printer.flip_horizontal != of_run.flip_horizontal,
-        ),
-        (
-            "flip_vertical",
-            printer.flip_vertical != of_run.flip_vertical,
-        ),
-    ]
-    .into_iter();
-    let Some((key, _)) = keys.find(|(_, differs)| *differs) else {
-        return Ok(());
+    let keys = |spec: &PrinterSpec| match serde_json::to_value(spec) {
+        Ok(Value::Object(keys)) => keys,
+        _ => serde_json::Map::new(),
     };
-    Err(Error::config(
-        "--printer",
-        format!(
-            "its `{key}` is not that of the machine that the frames of this run were made for, so they are other light there"
-        ),
-        "the machine of the run; for another one, the folder that `tomolith export RUN --printer FILE` writes for it",
-    ))
+    let (of_run, default) = (keys(of_run), keys(&PrinterSpec::default()));
+    for (key, value) in keys(printer) {
+        let is_given = default.get(&key).unwrap_or(&Value::Null) != &value;
+        let other = of_run.get(&key).unwrap_or(&Value::Null);
+        if is_given && !OF_NO_LIGHT.contains(&key.as_str()) && !is_same(&value, other) {
+            return Err(Error::config(
+                "--printer",
+                format!(
+                    "its `{key}` is not that of the machine that the frames of this run were made for, so they are other light there"
+                ),
+                "the machine of the run; for another one, the folder that `tomolith export RUN --printer FILE` writes for it",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Whether two values are equal, or name files of the same content.
+fn is_same(a: &Value, b: &Value) -> bool {
+    let content = |value: &Value| value.as_str().and_then(|path| std::fs::read(path).ok());
+    a == b || content(a).is_some_and(|content_of_a| content(b) == Some(content_of_a))
 }
 
 /// What a plan says besides its numbers.

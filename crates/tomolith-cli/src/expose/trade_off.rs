@@ -3,7 +3,6 @@
 use super::ExposeArguments;
 use crate::answer::Answer;
 use serde::Deserialize as _;
-use serde_json::Value;
 use std::path::Path;
 use tomolith::io::{must_be_new, write_text};
 use tomolith::job::{Document, Job};
@@ -74,11 +73,9 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
     must_be_new("--output", file)?;
     let mut document = Document::read(&run.join("job.toml"))?;
     document.set(&format!("bounds.max={largest}"))?;
-    // The folder of the run is another job's
-    let output = document.root.get_mut("output");
-    if let Some(output) = output.and_then(Value::as_object_mut) {
-        output.remove("folder");
-    }
-    let text = Job::from_document(document)?.complete().to_toml()?;
+    let mut spec = Job::from_document(document)?.complete();
+    // That of the run is another job's; without one a job has a folder by the name of its file
+    spec.output.folder = None;
+    let text = spec.to_toml()?;
     write_text(file, &text)
 }

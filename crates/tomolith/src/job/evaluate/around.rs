@@ -107,7 +107,8 @@ pub(super) fn of_resin(
             times,
             from_axis_mm: x.hypot(y),
             z_mm: z,
-            is_deep,
+            // Above and below the part no wall is to blame
+            is_deep: is_deep && (low..high).contains(&z),
             radius_mm: radius,
         }
     }))
