@@ -12,6 +12,7 @@ use tomolith::Result;
 use tomolith::io::{read_text, write_text};
 use tomolith::job::RunFolder;
 use tomolith::report::json::read as read_report;
+use tomolith::units::counted;
 
 /// What `table.json` says that it is.
 pub const TABLE_SCHEMA: &str = "tomolith.sweep-table/1";
@@ -98,7 +99,25 @@ impl<'p> Table<'p> {
             Ok(_) => format!("`{path}` is not defined in any run: its column is empty"),
         };
         let metrics = self.plan.sweep.metrics.iter();
-        metrics.filter(is_empty).map(doubt).collect()
+        let doubts = metrics.filter(is_empty).map(doubt);
+        doubts.chain(self.equals()).collect()
+    }
+
+    /// Runs that are as good as the best one.
+    fn equals(&self) -> Option<String> {
+        let metric = &self.plan.sweep.best.metric;
+        let most = self.metric(self.best?, metric)?;
+        let is_equal = |i: &usize| self.is_feasible(*i) && self.metric(*i, metric) == Some(most);
+        let others = (0..self.states.len())
+            .filter(is_equal)
+            .count()
+            .saturating_sub(1);
+        (others > 0).then(|| {
+            format!(
+                "{} have the same {metric} as the run that is called best, which is the first of them: rank by another number, or exclude some by best.where",
+                counted(others, "other run")
+            )
+        })
     }
 
     /// How many runs are done, failed, missing.

@@ -186,6 +186,26 @@ fn damaged_runs_are_done_again_and_told() {
 }
 
 #[test]
+fn runs_as_good_as_the_best_one_are_told() {
+    let bench = Bench::new(
+        r#"
+job = "job.toml"
+metrics = ["evaluation.pw"]
+best = { highest = "evaluation.pw" }
+[[axes]]
+key = "output.rpm"
+values = [5, 6, 7]
+"#,
+    );
+    let outcome = bench.whole("out", 1);
+    assert_eq!(outcome.best.unwrap().run, 1);
+    contains!(
+        outcome.warnings[0],
+        "2 other runs have the same evaluation.pw"
+    );
+}
+
+#[test]
 fn a_name_of_a_case_stays_a_comment_in_the_best_job() {
     let bench = Bench::new(
         r#"

@@ -123,6 +123,10 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<P
         };
         texts.push(text);
     }
+    if resolved.improves_pixels() {
+        let text = "the machine's pixels lie across those of the light: after the optimization patterns are improved for what it shows, by some 60 model calls";
+        resolved.notes.push(text.to_owned());
+    }
     let is_in_time = resolved.is_optimized_in_time() || diffuses(&resolved);
     if resolved.optics.card.is_some() && is_in_time {
         let text = "the card computes doses; the loop around them runs on the processor";
