@@ -261,7 +261,10 @@ fn must_shine(printer: &PrinterSpec, of_run: &PrinterSpec) -> Result<()> {
 
 /// Whether two values are equal, or name files of the same content.
 fn is_same(a: &Value, b: &Value) -> bool {
-    let content = |value: &Value| value.as_str().and_then(|path| std::fs::read(path).ok());
+    let content = |value: &Value| {
+        let path = value.as_str().filter(|path| Path::new(path).is_file())?;
+        std::fs::read(path).ok()
+    };
     a == b || content(a).is_some_and(|content_of_a| content(b) == Some(content_of_a))
 }
 

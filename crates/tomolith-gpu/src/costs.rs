@@ -2,7 +2,7 @@
 
 use crate::field::GpuField;
 use crate::passes::{Operand, Pass, finish_sums};
-use crate::stretches::{Pairs, Stretches};
+use crate::stretches::Stretches;
 use std::sync::Arc;
 use tomolith_core::field::bands::CHORD;
 use tomolith_core::field::costs::{FramePairs, PixelPairs};
@@ -65,13 +65,7 @@ impl Differences {
         let beside: Vec<_> = inside().filter(|pairs| !is_above(pairs)).collect();
         let onward: Vec<_> = frames.iter().flat_map(|frame| &frame.onward).collect();
         let list = |pairs: Vec<&PixelPairs>| {
-            let pairs = pairs.into_iter().map(|pairs| Pairs {
-                first: pairs.first,
-                second: pairs.second,
-                count: pairs.count,
-                weight: pairs.weight as f32,
-            });
-            Stretches::new(like.gpu(), [like, like], pairs)
+            Stretches::new(like.gpu(), [like, like], pairs.into_iter().copied())
         };
         Differences {
             lists: [above, beside, onward].map(list).into(),

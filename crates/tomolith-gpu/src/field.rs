@@ -11,11 +11,12 @@ use crate::device::{Buffer, Gpu};
 use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
 use crate::passes::{Operand, Pass};
-use crate::stretches::{Pairs, Stretches};
+use crate::stretches::Stretches;
 use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::dose::{DoseLayout, Facts, PatternLayout, Space};
 use tomolith_core::error::Result;
+use tomolith_core::field::costs::PixelPairs;
 use tomolith_core::field::{Bounds, Counter, Field, Secant, StepSums, Stretch};
 
 /// A [`Field`] on a graphics card.
@@ -59,8 +60,8 @@ fn clamped(v: f32, low: f32, high: f32) -> f32 {
 impl GpuField {
     /// `len` zeros, in pieces of whole rows of so many elements.
     pub(crate) fn zeros(gpu: &Gpu, len: usize, row: usize) -> Self {
-        let field = Self::uninitialized(gpu, len, row);
-        field.darken();
+        let mut field = Self::uninitialized(gpu, len, row);
+        field.clear(0..len);
         field
     }
 
@@ -111,21 +112,14 @@ impl GpuField {
 
     /// Zeros in pieces of these lengths.
     pub(crate) fn of_lengths(gpu: &Gpu, lengths: Vec<usize>) -> Self {
-        let field = Self::of_pieces(gpu, lengths);
-        field.darken();
+        let mut field = Self::of_pieces(gpu, lengths);
+        field.clear(0..field.len);
         field
     }
 
     /// Elements of any content, in the same pieces.
     pub(crate) fn scratch_like(&self) -> Self {
         Self::of_pieces(&self.gpu, self.lengths.clone())
-    }
-
-    /// All elements ← 0
-    fn darken(&self) {
-        for (piece, &n) in self.pieces.iter().zip(&self.lengths) {
-            self.gpu.clear(piece, 4 * n as u64);
-        }
     }
 
     /// Its pieces and their bytes.
@@ -318,8 +312,8 @@ impl Field for GpuField {
     }
 
     fn zeros_like(&self) -> Self {
-        let field = self.scratch_like();
-        field.darken();
+        let mut field = self.scratch_like();
+        field.clear(0..self.len);
         field
     }
 
@@ -335,7 +329,7 @@ impl Field for GpuField {
 
     fn set_stretches(&mut self, adds: bool, a: f32, x: &Self, stretches: &[Stretch]) {
         assert!(self.gpu.is(&x.gpu), "fields of two graphics cards");
-        let pairs = stretches.iter().map(|part| Pairs {
+        let pairs = stretches.iter().map(|part| PixelPairs {
             first: part.to,
             second: part.from,
             count: part.count,
@@ -379,7 +373,7 @@ impl Field for GpuField {
 
     fn fill(&mut self, value: f32) {
         if value.to_bits() == 0 {
-            return self.darken();
+            return self.clear(0..self.len);
         }
         self.update("fill", "y[i] = p.a.x;", &[], [value, 0.0, 0.0, 0.0]);
     }

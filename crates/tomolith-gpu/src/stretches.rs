@@ -9,17 +9,10 @@ use crate::field::GpuField;
 use crate::passes::{Combine, ENTRY, HEAD, Operand, Pass, Pending, declared, folded, sums_of};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use tomolith_core::field::costs::PixelPairs;
 
 /// Pairs of a group.
 const OF_GROUP: usize = 32 * THREADS as usize;
-
-/// First elements, how many, and the weight.
-pub(crate) struct Pairs {
-    pub(crate) first: usize,
-    pub(crate) second: usize,
-    pub(crate) count: usize,
-    pub(crate) weight: f32,
-}
 
 /// Stretches of two fields on a card.
 pub(crate) struct Stretches {
@@ -43,10 +36,10 @@ impl Stretches {
     pub(crate) fn new(
         gpu: &Gpu,
         [first, second]: [&GpuField; 2],
-        pairs: impl IntoIterator<Item = Pairs>,
+        pairs: impl IntoIterator<Item = PixelPairs>,
     ) -> Self {
         let ranges = [first, second].map(|field| field.ranges().collect::<Vec<_>>());
-        let mut found: BTreeMap<[usize; 2], Vec<Pairs>> = BTreeMap::new();
+        let mut found: BTreeMap<[usize; 2], Vec<PixelPairs>> = BTreeMap::new();
         for mut rest in pairs {
             while rest.count > 0 {
                 let at = [rest.first, rest.second];
@@ -54,7 +47,7 @@ impl Stretches {
                 let [a, b] = [0, 1].map(|side| &ranges[side][pieces[side]]);
                 let left = (a.end - rest.first).min(b.end - rest.second);
                 let count = rest.count.min(left);
-                found.entry(pieces).or_default().push(Pairs {
+                found.entry(pieces).or_default().push(PixelPairs {
                     first: rest.first - a.start,
                     second: rest.second - b.start,
                     count,
@@ -124,11 +117,11 @@ impl Stretches {
 }
 
 impl Part {
-    fn new(gpu: &Gpu, pieces: [usize; 2], of_pieces: &[Pairs]) -> Self {
+    fn new(gpu: &Gpu, pieces: [usize; 2], of_pieces: &[PixelPairs]) -> Self {
         let (mut words, mut begins, mut pairs) = (Vec::new(), Vec::new(), 0);
         for (k, part) in of_pieces.iter().enumerate() {
             let [first, second, before] = [part.first, part.second, pairs].map(|n| n as u32);
-            words.push([first, second, before, part.weight.to_bits()]);
+            words.push([first, second, before, (part.weight as f32).to_bits()]);
             pairs += part.count;
             while begins.len() * OF_GROUP < pairs {
                 begins.push(k as u32);

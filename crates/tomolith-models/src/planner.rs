@@ -302,7 +302,7 @@ mod tests {
         let with = planned(None, beside_card(evaluated), light());
         assert_eq!(with, planned(None, evaluated, light()) + TOO_LARGE);
         let (grid, lights) = (VolumeGrid::centered([6, 8, 8], 0.1), [light()]);
-        // The processor's model of waves has a form by itself
+        // So are waves, whose data say how a card would compute them
         let wave: Family = Arc::new(wave::Params::default());
         let scene = beside_card(evaluated).lit_by(&lights);
         let waves = plan(Some(&wave), scene, &grid, None, &Work::new()).unwrap();

@@ -44,7 +44,8 @@ const LOWER: f32 = 0.75;
 const STEPS: usize = 30;
 /// Most dose and adjoint calls of a linear model.
 pub const CALLS: [usize; 2] = [2 * SCALES.len() + 4 + STEPS, STEPS];
-/// Loss of what a machine of many levels shows, over that of what was asked of it, above which it is lowered.
+/// Loss of what a machine of many levels shows, over that of what was asked of it, above which it is lowered. The pixels of example 09, shifted
+/// by 0.8 of their width, are at 1.05: lowering that gained 0.001 of IoU.
 const WORTH: f64 = 1.15;
 /// First length of a step, over the length to the least loss.
 const FIRST: f64 = 0.3;

@@ -276,6 +276,19 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(gain["diffused_loss"].is_null() && number(&gain["calls"]) <= 64.0);
     let even = "--set evaluate.bit_depth=8 --set printer.canvas=[60,30]";
     assert!(run("even", even).1["levels"].is_null());
+    // Voxels wider than the machine's pixels see a gain where the print has none
+    let job = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/22-calibrate-resin.toml"
+    );
+    let coarse = "--toy --json --set printer.pixel_pitch_mm=0.084 --output coarse";
+    let output = bench.stdout(0, &format!("run {job} {coarse}"));
+    contains(
+        &output,
+        "",
+        &["on finer voxels the print is worse, so the patterns stay as they were"],
+    );
+    assert!(bench.report("coarse")["levels"].is_null());
 }
 
 #[test]

@@ -15,8 +15,8 @@ pub(crate) struct Levelled {
     pub(crate) gain: Gain,
 }
 
-/// How much of patterns a machine of many levels changes, in the norm, from where on they are improved on its pixels. Even pixels
-/// of 8 bits change less than 1 %.
+/// How much of patterns a machine of many levels changes, in the norm, from where on they are improved on its pixels. The 8 bits of
+/// example 01 change 0.3 %.
 const CHANGED: f64 = 0.03;
 
 /// Improves patterns as the job's machine shows them; None where the job rounds plainly, or its many levels on even pixels lose next to nothing.

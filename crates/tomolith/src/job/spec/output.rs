@@ -17,8 +17,8 @@ tomolith_core::keys! {
         /// Bits to which patterns are quantized.
         #[schemars(range(min = 1, max = 16))]
         pub bit_depth: u32 = 8,
-        /// How patterns are put on the levels of 5 bits or fewer, and on pixels of a machine that are turned, shifted, of another size, dim or dead: "optimized"
-        /// for what is shown after the optimization, or "rounded". With more bits on even pixels they are rounded.
+        /// What follows the optimization where a machine has 5 bits or fewer, or pixels that are turned, shifted or of another size than those of the light:
+        /// "optimized" improves the patterns as the machine shows them, "rounded" leaves them.
         pub levels: Levelling = Levelling::Optimized,
         /// Angles at which the arc of a frame is averaged. When left out: 4, and where frames are few one for every pixel that the rim of the part moves, as
         /// far as a turn then has 720.
